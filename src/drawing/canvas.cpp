@@ -9,8 +9,6 @@
 namespace kerf::drawing {
 namespace {
 
-constexpr double kFarthest_mm = 1e6;
-
 enum class Reach : std::uint8_t { near, far, nowhere };
 
 Reach reach_of(Vec2 point) {
@@ -104,19 +102,36 @@ void Canvas::add(std::vector<contour::Vertex>& vertices, bool is_closed, EntityI
   drawing_.vertices.insert(drawing_.vertices.end(), vertices.begin(), vertices.end());
 }
 
-void Canvas::tell_over(base::Code code, const std::string& detail) {
+void Canvas::tell_over(base::Code code, const std::string& detail, std::uint32_t line) {
   over_ = true;
-  find(base::Severity::error, code, {}, detail);
+  find(base::Severity::error, code, {base::kNoFile, line, line > 0 ? 1U : 0U}, detail);
 }
 
 bool Canvas::is_over() {
   constexpr std::uint64_t kBetweenLooks = 1024;
   if (over_) return true;
-  if (drawing_.entities.size() > reading_.max_entities)
-    tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities));
+  const std::uint64_t most = reading_.max_entities;
+  if (std::max<std::uint64_t>(drawing_.entities.size(), clones_) > most)
+    tell_over(base::Code::draw_limit, fmt::format("more than {}", most));
+  else if (drawing_.vertices.size() / kVerticesOfAnEntity > most)
+    tell_over(base::Code::draw_limit,
+              fmt::format("more than {} lines and arcs for each of {}", kVerticesOfAnEntity, most));
   else if (++work_ % kBetweenLooks == 0 && reading_.limit.reached())
     tell_over(base::Code::budget_spent, reading_.limit.reason());
   return over_;
+}
+
+bool Canvas::has_room_for(double entities, std::uint32_t line) {
+  if (is_over()) return false;
+  const auto most = static_cast<double>(reading_.max_entities);
+  if (static_cast<double>(drawing_.entities.size()) + entities <= most) return true;
+  tell_over(base::Code::draw_limit, fmt::format("more than {}", reading_.max_entities), line);
+  return false;
+}
+
+bool Canvas::is_over_with_clone() {
+  ++clones_;
+  return is_over();
 }
 
 }  // namespace kerf::drawing

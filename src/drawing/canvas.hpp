@@ -11,12 +11,16 @@
 
 namespace kerf::drawing {
 
+/// What is farther from zero is drawn by no machine, and not drawn here.
+inline constexpr double kFarthest_mm = 1e6;
+
 /// How files are read, whatever their format.
 struct Reading {
   std::string unit;                 ///< in place of what the file says or lacks; empty: as it says
   double dpi = 0;                   ///< px an inch; 0: as the format has it
   double tolerance_mm = 0.01;       ///< an arc in place of a curve
   double same_mm = 0.005;           ///< what is shorter is nothing
+  char lens_side = 0;               ///< of a trace: R or L; 0: as the file has it
   std::vector<std::string> layers;  ///< only these, with * and ?; empty: all
   std::uint64_t max_entities = 5'000'000;
   base::WorkLimit limit;
@@ -33,6 +37,7 @@ class Canvas {
   FileFacts& begin_file(base::FileId file, std::string format);
   [[nodiscard]] FileFacts& facts() { return drawing_.files.back(); }
   [[nodiscard]] const Reading& reading() const { return reading_; }
+  [[nodiscard]] const Drawing& drawn() const { return drawing_; }
   [[nodiscard]] Name name(std::string_view text) { return drawing_.names.find(text); }
   [[nodiscard]] std::string_view text_of(Name name) const { return drawing_.names[name]; }
 
@@ -61,9 +66,17 @@ class Canvas {
 
   /// The budget is used up (told by a finding of DRAW_LIMIT or BUDGET).
   [[nodiscard]] bool is_over();
+  /// Whether the budget is enough for so many entities more, which those of a line would be; if not
+  /// it is used up now, without their being made one by one.
+  [[nodiscard]] bool has_room_for(double entities, std::uint32_t line);
+  /// No more lines and arcs than this for each of the entities that are allowed.
+  static constexpr std::uint64_t kVerticesOfAnEntity = 8;
+  /// As is_over(), of a clone or what stands in a block: the budget of entities counts it too, also
+  /// where nothing of it is drawn.
+  [[nodiscard]] bool is_over_with_clone();
 
  private:
-  void tell_over(base::Code code, const std::string& detail);
+  void tell_over(base::Code code, const std::string& detail, std::uint32_t line = 0);
   [[nodiscard]] bool is_drawable(const std::vector<contour::Vertex>& vertices, EntityId entity);
 
   const Reading& reading_;
@@ -73,6 +86,7 @@ class Canvas {
   std::unordered_map<std::string, bool> wanted_;           // layers
   std::unordered_map<std::uint32_t, std::size_t*> kinds_;  // Name -> its count in the facts
   std::uint64_t work_ = 0;
+  std::uint64_t clones_ = 0;
   bool over_ = false;
 };
 

@@ -97,6 +97,7 @@ struct FileFacts {
   std::string unit;       ///< mm, in
   std::string unit_from;  ///< what says so: $INSUNITS, viewBox, --unit, assumed
   double scale_mm = 1;    ///< a unit, mm
+  Vec2 page_mm{};         ///< from zero to the upper right corner of the page; 0: it has none
   std::map<std::string, std::size_t> entities;  ///< what was drawn, by kind
   std::vector<Ignored> ignored;
 };

@@ -30,12 +30,25 @@ struct Fit {
   double error = 0;  ///< the largest bound that was used
 };
 
+/// A curve about zero whose distance from there is a cubic of the angle: these are its coefficients
+/// as of a Bezier curve, mm.
+struct Polar {
+  std::array<double, 4> radii{};
+  double from_rad = 0;
+  double to_rad = 0;  ///< another one
+
+  [[nodiscard]] Vec2 end() const {
+    return {radii[3] * math::cos(to_rad), radii[3] * math::sin(to_rad)};
+  }
+};
+
 /// What is no farther from its chord is a line, mm.
 inline constexpr double kStraight_mm = 1e-6;
 
 void fit_cubic(const std::array<Vec2, 4>& points, Fit& fit);
 /// Degree points.size() - 1 from 1 to 10; weights > 0.
 void fit_rational(std::span<const Weighted> points, Fit& fit);
+void fit_polar(const Polar& curve, Fit& fit);
 /// As Pen::ellipse().
 void fit_ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad, Fit& fit);
 

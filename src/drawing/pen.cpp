@@ -1,6 +1,7 @@
 #include "drawing/pen.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@ namespace kerf::drawing {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kMostFitted_mm = 1e9;  // centres of flat arcs are far
 constexpr double kMostOfOneArc = 1.5 * std::numbers::pi + 1e-9;
 
 /// An edge that was fitted, and one that goes on from it: whether both are of one circle.
@@ -89,6 +91,9 @@ void Pen::ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad) {
   const Ellipse seen{to_mm_(ellipse.centre), to_mm_.direction(ellipse.first),
                      to_mm_.direction(ellipse.second)};
   const Affine axes{seen.first, seen.second, {}};
+  at_ = at(to_rad);
+  if (leads_away(std::array{seen.centre + seen.first, seen.centre + seen.second, seen.centre}))
+    return;
   if (axes.scale()) {
     // Of nearly a whole turn halves: a bulge of a whole one is none.
     curves_.all = false;
@@ -101,7 +106,6 @@ void Pen::ellipse(const Ellipse& ellipse, double from_rad, double sweep_rad) {
     draw([&](Fit& fit) { fit_ellipse(seen, from_rad, sweep_rad, fit); });
     ++curves_.count;
   }
-  at_ = at(to_rad);
 }
 
 void Pen::whole(const Ellipse& shape) {
@@ -115,19 +119,42 @@ void Pen::quadratic_to(Vec2 control, Vec2 to) {
   cubic_to(at_ + 2 * third * (control - at_), to + 2 * third * (control - to), to);
 }
 
+void Pen::polar_to(const Polar& curve) {
+  draw([&](Fit& fit) { fit_polar(curve, fit); });
+  ++curves_.count;
+  at_ = curve.end();
+}
+
+/// Of what is too far, or no number, nothing is fitted: the path goes there, and is refused.
+bool Pen::leads_away(std::span<const Vec2> points_mm) {
+  const auto is_near = [](Vec2 point) {
+    return std::abs(point.u) <= kMostFitted_mm && std::abs(point.v) <= kMostFitted_mm;
+  };
+  if (std::all_of(points_mm.begin(), points_mm.end(), is_near)) return false;
+  for (const Vec2 point : points_mm) go_on(point, 0);
+  curves_.all = false;
+  return true;
+}
+
 void Pen::cubic_to(Vec2 first, Vec2 second, Vec2 to) {
   const std::array<Vec2, 4> cubic{to_mm_(at_), to_mm_(first), to_mm_(second), to_mm_(to)};
+  at_ = to;
+  if (leads_away(cubic)) return;
   draw([&](Fit& fit) { fit_cubic(cubic, fit); });
   curves_.take(cubic);
-  at_ = to;
 }
 
 void Pen::rational_to(double weight, std::span<const Weighted> rest) {
   std::vector<Weighted> points{{to_mm_(at_), weight}};
-  for (const Weighted& point : rest) points.push_back({to_mm_(point.at), point.weight});
+  std::vector<Vec2> places{points.front().at};
+  for (const Weighted& point : rest) {
+    points.push_back({to_mm_(point.at), point.weight});
+    places.push_back(points.back().at);
+  }
+  at_ = rest.back().at;
+  if (leads_away(places)) return;
   draw([&](Fit& fit) { fit_rational(points, fit); });
   ++curves_.count;
-  at_ = rest.back().at;
 }
 
 template <typename FitIt>
@@ -145,8 +172,9 @@ void Pen::take_fitted(const Step& step) {
     const contour::Vertex& before = vertices_[fitted_at_ - 1];
     const contour::Edge last{before.point, vertices_.back().point, before.bulge};
     const contour::Edge next{last.to, step.to, step.bulge};
-    const double sweep = sweep_rad(last) + sweep_rad(next);
-    if (is_one_circle(last, next) && std::abs(sweep) <= kMostOfOneArc) {
+    const bool goes_on_round = is_one_circle(last, next);  // seldom: angles take long
+    const double sweep = goes_on_round ? sweep_rad(last) + sweep_rad(next) : 0;
+    if (goes_on_round && std::abs(sweep) <= kMostOfOneArc) {
       vertices_.pop_back();
       go_on(step.to, math::tan(0.25 * sweep));
       fitted_at_ = vertices_.size() - 1;

@@ -48,6 +48,8 @@ class Pen {
   void end_at(Vec2 exactly);
   /// A whole circle or ellipse as a closed path of its own.
   void whole(const Ellipse& ellipse);
+  /// In mm about the drawing's zero, whatever to_mm is; the pen stands where it begins.
+  void polar_to(const Polar& curve);
   void quadratic_to(Vec2 control, Vec2 to);
   void cubic_to(Vec2 first, Vec2 second, Vec2 to);
   /// A rational Bezier curve of the degree `rest.size()`, 1 to 10, that begins where the pen stands
@@ -65,6 +67,7 @@ class Pen {
 
  private:
   void start_where(Vec2 point);
+  bool leads_away(std::span<const Vec2> points_mm);
   void forget();
   void make_circle();
   void go_on(Vec2 to_mm, double bulge);

@@ -29,6 +29,7 @@ struct Execute {
   ExitStatus operator()(const FeaturesOptions& options) const { return features(options); }
   ExitStatus operator()(const EditOptions& options) const { return edit(options); }
   ExitStatus operator()(const CheckOptions& options) const { return check(options); }
+  ExitStatus operator()(const DrawOptions& options) const { return draw(options); }
   ExitStatus operator()(const PatternOptions& options) const { return pattern(options); }
   ExitStatus operator()(const ReplayOptions& options) const { return replay(options); }
   ExitStatus operator()(const ServeOptions& options) const { return kerf::serve(options); }

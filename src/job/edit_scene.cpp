@@ -90,7 +90,8 @@ class Drafting {
                                      {wishes_.allows_collision, wishes_.allows_rest});
     if (!plan) return tl::unexpected(plan.error());
     plan_ = std::move(*plan);
-    auto merged = features::merge(before_.recording, plan_.rows, sources_);
+    const features::Recording& rows = plan_.programmed ? *plan_.programmed : before_.recording;
+    auto merged = features::merge(rows, plan_.rows, sources_);
     if (!merged) return refuse(merged.error().code, merged.error().sentence);
     for (const features::ToolChange& tool : plan_.tools) {
       auto done = features::change_tool_words(before_.recording, {tool.was, tool.is, tool.rows},

@@ -62,10 +62,13 @@ class Planner {
     plan_.machine = machine;
     plan_.copies = copies_of(recipe.array);
     plan_.end = recipe.end;
+    plan_.wrap = recipe.wrap;
+    plan_.tolerance_mm = recipe.tolerance;
   }
 
   Plan plan() {
     tell_layers();
+    if (!can_wrap()) return std::move(plan_);
     for (std::size_t i = 0; i < recipe_.operations.size(); ++i)
       if (recipe_.operations[i].enabled) add(i);
     for (std::size_t i = 0; i < plan_.operations.size(); ++i) put_in_order(i);
@@ -78,6 +81,15 @@ class Planner {
     base::Diagnostic diagnostic = base::make_error(code, place, detail);
     diagnostic.severity = severity;
     plan_.findings.push_back({std::move(diagnostic), layer, entity});
+  }
+
+  bool can_wrap() {
+    const motion::AxisSetup& axes = plan_.machine.axes;
+    if (recipe_.wrap.shape == Wrap::Shape::none) return true;
+    if (axes.find('A') && axes.find('C') && axes.find('Z')) return true;
+    find(base::Severity::error, base::Code::process_machine, {},
+         fmt::format("[wrap] needs the axes X Y Z A C, {} has others", plan_.machine.name));
+    return false;
   }
 
   void tell_layers() {

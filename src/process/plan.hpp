@@ -33,6 +33,8 @@ struct Plan {
   std::vector<PlannedOperation> operations;
   std::vector<drawing::Affine> copies;  ///< of the array, in the order in which they are made
   End end;
+  Wrap wrap;
+  double tolerance_mm = 0.01;
   double travel_file_mm = 0;     ///< ways between passes in the order of the drawing
   double travel_nearest_mm = 0;  ///< going to the nearest next one
   std::vector<drawing::Finding> findings;

@@ -16,16 +16,20 @@ constexpr double kHere_mm = 1e-9;
 
 /// Any operation that names a height, or changes it from pass to pass.
 bool names_z(const Plan& plan) {
-  return std::any_of(plan.operations.begin(), plan.operations.end(),
-                     [](const PlannedOperation& planned) {
-                       return planned.operation.z || planned.operation.z_step != 0;
-                     });
+  return plan.machine.focus_mm != 0 || std::any_of(plan.operations.begin(), plan.operations.end(),
+                                                   [](const PlannedOperation& planned) {
+                                                     return planned.operation.z ||
+                                                            planned.operation.z_step != 0;
+                                                   });
 }
 
 }  // namespace
 
 PlanReader::PlanReader(const Plan& plan, const drawing::Drawing& drawing)
-    : plan_(plan), drawing_(drawing), at_(plan.machine.axes.start), moves_z_(names_z(plan)) {}
+    : plan_(plan), drawing_(drawing), at_(plan.machine.axes.start), moves_z_(names_z(plan)) {
+  if (plan.wrap.shape != Wrap::Shape::none && !plan.operations.empty())
+    wrapping_.emplace(plan.wrap, plan.machine.axes, plan.tolerance_mm);
+}
 
 std::uint32_t PlanReader::rounds() const {
   const Operation& operation = this->operation().operation;
@@ -37,7 +41,8 @@ std::uint32_t PlanReader::rounds() const {
 
 double PlanReader::z_of_round() const {
   const Operation& operation = this->operation().operation;
-  if (plan_.machine.has_beam) return operation.z.value_or(0) + cursor_.round * operation.z_step;
+  if (plan_.machine.has_beam)
+    return operation.z.value_or(plan_.machine.focus_mm) + cursor_.round * operation.z_step;
   const double depth = operation.depth.value_or(0);
   if (!operation.step_down) return -depth;
   return -std::min(depth, (cursor_.round + 1) * *operation.step_down);
@@ -152,6 +157,7 @@ void PlanReader::beam(double share) {
   motion::Power power;
   power.percent = base::tidy(share * operation().settled.power_percent);
   power.follows_speed = share > 0 && operation().settled.beam == Beam::follow;
+  power.frequency_hz = share > 0 ? operation().settled.frequency_hz : 0;
   if (power_ == power) return;
   power_ = power;
   emit(power);
@@ -165,7 +171,34 @@ void PlanReader::rapid_z(double z) {
   emit(motion::Rapid{to, true});
 }
 
+/// Over a surface; the first time from wherever the head stands, to above the place first.
+void PlanReader::travel_to(Vec2 to) {
+  beam(0);
+  const Vec2 from = is_on_surface_ ? flat_ : to;
+  for (const base::TipPoint& point : wrapping_->travel(from, to, at_))
+    if (!(point == at_)) emit(motion::Rapid{point, true});
+  flat_ = to;
+  is_on_surface_ = true;
+}
+
+void PlanReader::cut_wrapped(Vec2 to, double bulge) {
+  const motion::Feed feed{operation().settled.feed, motion::FeedMode::per_minute};
+  if (to == flat_) return;
+  for (const WrappedTarget& target : wrapping_->cut({flat_, to, bulge}, at_)) {
+    if (target.to == at_) continue;
+    if (target.via)
+      emit(motion::SpaceArc{target.to, *target.via, {}, feed, false});
+    else
+      emit(motion::Line{target.to, feed});
+  }
+  flat_ = to;
+}
+
 void PlanReader::rapid_to(Vec2 to) {
+  if (wrapping_) {
+    if (!is_on_surface_ || to != flat_) travel_to(to);
+    return;
+  }
   const base::TipPoint target = point(to);
   if (target == at_) return;
   beam(0);
@@ -173,6 +206,7 @@ void PlanReader::rapid_to(Vec2 to) {
 }
 
 void PlanReader::line_to(Vec2 to) {
+  if (wrapping_) return cut_wrapped(to, 0);
   const base::TipPoint target = point(to);
   if (target == at_) return;
   emit(motion::Line{target, {operation().settled.feed, motion::FeedMode::per_minute}});
@@ -185,6 +219,7 @@ void PlanReader::leg_to(const Leg& leg) {
   const auto y = axes.find('Y');
   beam(leg.power);
   const Vec2 to = copy(leg.to);
+  if (wrapping_) return cut_wrapped(to, leg.bulge);
   if (leg.bulge == 0 || !x || !y) return line_to(to);
   const contour::Edge arc{{at_[*x], at_[*y]}, to, leg.bulge};
   const Vec2 middle = centre(arc);
@@ -273,7 +308,10 @@ void PlanReader::finish() {
     emit(stop);
   }
   cursor_ = {};
-  if (!plan_.operations.empty() && plan_.end.kind != EndKind::stay)
+  if (wrapping_ && is_on_surface_) {
+    beam(0);
+    emit(motion::Rapid{wrapping_->tip(flat_, plan_.wrap.clearance, at_), true});
+  } else if (!plan_.operations.empty() && plan_.end.kind != EndKind::stay)
     rapid_to(plan_.end.kind == EndKind::point ? plan_.end.at : Vec2{});
   emit(motion::End{});
 }

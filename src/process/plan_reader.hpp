@@ -8,6 +8,7 @@
 #include "base/point.hpp"
 #include "motion/motion.hpp"
 #include "process/plan.hpp"
+#include "process/wrapping.hpp"
 
 namespace kerf::process {
 
@@ -52,6 +53,8 @@ class PlanReader {
   void finish();
 
   void rapid_to(Vec2 to);
+  void travel_to(Vec2 to);
+  void cut_wrapped(Vec2 to, double bulge);
   void rapid_z(double z);
   void line_to(Vec2 to);
   void leg_to(const Leg& leg);
@@ -68,6 +71,9 @@ class PlanReader {
   std::vector<Step>* steps_ = nullptr;
   base::BlockId block_;
   base::TipPoint at_;
+  Vec2 flat_;  // the same place in the drawing, where it is wrapped
+  std::optional<Wrapping> wrapping_;
+  bool is_on_surface_ = false;
   std::optional<motion::Power> power_;
   double frequency_hz_ = 0;
   Air air_ = Air::off;

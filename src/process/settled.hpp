@@ -1,5 +1,6 @@
 #pragma once
 
+#include "process/keys.hpp"
 #include "process/machine_facts.hpp"
 #include "process/recipe.hpp"
 
@@ -23,9 +24,6 @@ struct Settled {
 };
 
 [[nodiscard]] Settled settle(const Operation& operation, const MachineFacts& machine);
-
-/// "engrave"
-[[nodiscard]] const char* name_of(Process process);
 
 /// How far an axis group runs before it has the feed: v² / (2a) + 0.1 mm, of the axes that move
 /// along `direction` (of length 1).

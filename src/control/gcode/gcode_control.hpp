@@ -42,6 +42,8 @@ class GcodeControl : public ProgramControl {
   void start(vm::CodeId main, Ends ends = Ends::by_code);
 
   [[nodiscard]] const Coordinates& coordinates() const { return state_.coordinates; }
+  /// What the path that goes out is compensated for; nothing: it is the programmed one.
+  [[nodiscard]] std::optional<Cutter> cutter() const { return state_.path.cutter(); }
   /// What G92 has left behind, which outlives a reset.
   void set_shift(const base::AxisVector& shift) { state_.coordinates.set_shift(shift); }
   /// Offsets in the memory were changed by the operator.

@@ -58,6 +58,13 @@ inline void append_biarc(Vec2 from, Vec2 to, Vec2 begins, Vec2 ends, Fit& fit) {
   fit.steps.push_back({to, half_tangent(to - joint, last)});
 }
 
+/// Whether it is no number, or so far out that its path is refused whatever it is between its ends
+/// (Canvas): there would be no end of halves.
+inline bool is_beyond_all(Vec2 point) {
+  constexpr double kBeyond_mm = 1e7;
+  return !(std::abs(point.u) < kBeyond_mm && std::abs(point.v) < kBeyond_mm);
+}
+
 /// Appends what stands for a piece of monotone curvature. A Piece has begin(), end(), and its
 /// directions there, begins() and ends(), which are not 0; is_point(), and halves().
 template <typename Piece>
@@ -65,7 +72,7 @@ void fit_monotone(const Piece& piece, Fit& fit, int depth = 0) {
   constexpr int kDeepest = 40;
   const Vec2 from = piece.begin();
   const Vec2 to = piece.end();
-  if (piece.is_point() || depth >= kDeepest) {
+  if (piece.is_point() || depth >= kDeepest || is_beyond_all(from) || is_beyond_all(to)) {
     fit.steps.push_back({to, 0});
     return;
   }

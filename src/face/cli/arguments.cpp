@@ -5,12 +5,29 @@
 #include <thread>
 
 #include "base/notices.hpp"
+#include "face/cli/internal/draw_arguments.hpp"
 #include "face/cli/internal/edit_arguments.hpp"
 #include "face/cli/option_groups.hpp"
 #include "face/cli/stock_arguments.hpp"
 
 namespace kerf::cli {
 namespace {
+
+// How --post is written.
+void add_post(CLI::App& command, CommonOptions& o) {
+  command.add_option("--flavour", o.flavour, "of --post: plain, grbl, linuxcnc or fanuc")
+      ->type_name("NAME");
+  command
+      .add_option("--axes", o.post_axes,
+                  "axes of --post besides X Y Z, as AC; default: all that the flavour has")
+      ->type_name("LETTERS");
+  command
+      .add_option("--post-tools", o.post_tools,
+                  "the table of tools that --post asks its control for: linuxcnc, fanuc")
+      ->type_name("FILE");
+  command.add_flag("--post-strict", o.post_strict,
+                   "--post is not written, and the exit status is 1, where it lost something");
+}
 
 void add_outputs(CLI::App& run, RunOptions& o) {
   const auto file = [&](const char* name, std::string& path, const char* what) {
@@ -32,6 +49,7 @@ void add_outputs(CLI::App& run, RunOptions& o) {
                "colours the cuts of --plot by the energy of the laser on each millimetre");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");
+  add_post(run, o);
   file("--teach", o.teach, "the path as taught points, a .tch file");
   file("--coverage", o.coverage, "how often each source line ran, as CSV");
   run.add_flag(
@@ -180,6 +198,7 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
   file("--pwm", o.pwm, "pulses of a laser, which a pattern never switches on, as CSV");
   file("--rows", o.rows, "moves as rows of feature recognition, as CSV");
   file("--post", o.post, "the path of the tip as plain G-code without macros");
+  add_post(*replay, o);
   file("--plot", o.plot, "picture of the path: .svg or .png");
   replay->add_flag(
       "--keep-partial", o.keep_partial,
@@ -282,6 +301,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   EditOptions edit_options;
   CheckOptions check_options;
   check_options.jobs = std::max(1U, std::thread::hardware_concurrency());
+  DrawOptions draw_options;
   PatternOptions pattern_options;
   MachinesOptions machines_options;
   ServeOptions serve_options;
@@ -293,6 +313,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   add_features(app, features_options);
   add_edit(app, edit_options);
   add_check(app, check_options);
+  add_draw(app, draw_options);
   add_pattern(app, pattern_options);
   add_serve(app, serve_options);
   add_replay(app, replay_options);
@@ -307,10 +328,10 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
       "Exit status: 0 all well, 1 the program is wrong, 2 wrong usage, 3 a file cannot be read or "
       "written, 4 a fault of Kerf, 5 a budget used up.");
   if (words.empty()) {
-    return tl::unexpected(
-        base::Failure{base::Failure::Kind::usage,
-                      "a command is needed: run, time, stock, features, edit, check, pattern, "
-                      "serve, replay, tools, machines or notices; `kerf --help` lists them"});
+    return tl::unexpected(base::Failure{
+        base::Failure::Kind::usage,
+        "a command is needed: run, time, stock, features, edit, check, draw, "
+        "pattern, serve, replay, tools, machines or notices; `kerf --help` lists them"});
   }
   try {
     app.parse(reversed(words));
@@ -328,6 +349,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("time")) return time_options;
   if (app.got_subcommand("stock")) return stock_options;
   if (app.got_subcommand("features")) return features_options;
+  if (app.got_subcommand("draw")) return draw_options;
   if (app.got_subcommand("edit")) return edit_options;
   if (app.got_subcommand("check")) return check_options;
   if (app.got_subcommand("pattern")) return pattern_options;

@@ -19,8 +19,8 @@ struct Answer {
 
 /// What a command line asks for.
 using Request = std::variant<RunOptions, TimeOptions, StockOptions, FeaturesOptions, EditOptions,
-                             CheckOptions, PatternOptions, ReplayOptions, MachinesOptions,
-                             ServeOptions, ToolsOptions, Answer>;
+                             CheckOptions, DrawOptions, PatternOptions, ReplayOptions,
+                             MachinesOptions, ServeOptions, ToolsOptions, Answer>;
 
 /// Reads the words behind `kerf`. Failure (usage): one sentence.
 [[nodiscard]] base::Outcome<Request> parse_arguments(const std::vector<std::string>& words);

@@ -24,6 +24,10 @@ struct CommonOptions {
   std::string pwm;
   std::string rows;
   std::string post;
+  std::string flavour;     ///< of the posted program; empty: plain
+  std::string post_axes;   ///< letters of axes that it has besides X Y Z; empty: as the flavour has
+  std::string post_tools;  ///< the table of tools that it asks for
+  bool post_strict = false;
   std::string plot;
   DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };
@@ -170,6 +174,31 @@ struct PatternOptions : CommonOptions {
   bool return_to_start = false;
 };
 
+/// Drawings are read and planned on a machine; paths are empty when not asked for.
+struct DrawOptions {
+  RunOptions run;  ///< machine, memory, limits; of the outputs `plot`
+  std::vector<std::string> drawings;
+  std::string job;
+  std::string process = "engrave";    ///< without a job
+  std::vector<std::string> job_keys;  ///< "KEY=VALUE"
+  std::vector<std::string> material_files;
+  std::vector<std::string> variables;  ///< "NAME=VALUE"
+  std::vector<std::string> outputs;
+  std::string language;  ///< of the outputs; empty: by their endings
+  std::string flavour = "plain";
+  std::string contours;
+  std::string report;
+  std::string picture;
+  std::string unit;
+  double dpi = 0;
+  std::string tolerance;  ///< mm; empty: as the job has it
+  std::string join;
+  std::string same;
+  std::vector<std::string> layers;
+  std::uint64_t max_entities = 5'000'000;
+  std::string fail_on = "error";
+};
+
 /// What was done at a panel is done again.
 struct ReplayOptions {
   std::string file;
@@ -201,6 +230,7 @@ struct ToolsOptions {
 [[nodiscard]] ExitStatus edit(const EditOptions& options);
 [[nodiscard]] ExitStatus check(const CheckOptions& options);
 [[nodiscard]] ExitStatus pattern(const PatternOptions& options);
+[[nodiscard]] ExitStatus draw(const DrawOptions& options);
 [[nodiscard]] ExitStatus replay(const ReplayOptions& options);
 /// Writes tools of any format as TOML on standard output, what is not understood on standard error.
 [[nodiscard]] ExitStatus tools(const ToolsOptions& options);

@@ -25,6 +25,8 @@ class BlockFollower {
     follow_feed(rows, old, patch);
     follow_peck(rows, old, is_cycle, patch);
     s_.at = rows.rows.back().to;
+    s_.now.is_compensated =
+        s_.recording.state_of(s_.recording.moves[rows.old.last]).is_compensated();
     if (rows.rows.front().changes_place) {
       s_.put(rows.block, s_.line_of(rows.block), "");
       s_.put_line(patch.text());
@@ -127,20 +129,18 @@ class BlockFollower {
     const PlannedRow& row = rows.rows.back();
     if (!row.arc || s_.recording.moves[rows.old.last].shape != Move::Shape::arc) return;
     const State& state = s_.recording.state_of(s_.recording.moves[rows.old.last]);
-    const Vec2 old_arm =
-        s_.recording.arc_of(rows.old.last).centre - s_.recording.flat_from(rows.old.last);
-    const Vec2 new_arm = row.arc->centre - Vec2{s_.at.x, s_.at.y};
-    const Vec3 now = s_.programmed(state, {new_arm.u, new_arm.v, 0});
-    const Vec3 before = s_.programmed(state, {old_arm.u, old_arm.v, 0});
+    const auto now = s_.centre_words(state, s_.at, row.arc->centre);
+    const auto before = s_.centre_words(state, s_.recording.from(rows.old.last),
+                                        s_.recording.arc_of(rows.old.last).centre);
     if (const BlockWord* const radius = patch.word('R')) {
-      const double change = geometry::length(new_arm) - geometry::length(old_arm);
+      const double change = math::hypot(now.i, now.second) - math::hypot(before.i, before.second);
       const auto number = s_.value_of(*radius);
       if (number && std::fabs(change) >= s_.least)
-        patch.set(*radius, *number + std::copysign(change / state.unit_mm, *number));
+        patch.set(*radius, *number + std::copysign(change, *number));
       return;
     }
-    follow_centre('I', now.x, before.x, patch);
-    follow_centre('J', now.y, before.y, patch);
+    follow_centre('I', now.i, before.i, patch);
+    follow_centre(now.second_letter, now.second, before.second, patch);
   }
 
   void follow_centre(char letter, double now, double before, BlockPatch& patch) {

@@ -50,6 +50,7 @@ class Merger {
   // How the blocks that change are written; of all blocks where these are few.
   void look_at_style() {
     s_.style.pointless = s_.sources.pointless;
+    s_.style.turns = s_.recording.turns;
     for (const Stretch& stretch : s_.plan) look_at_rows(stretch.rows);
     if (looks_ < 24) look_at_rows({0, s_.recording.count() - 1});
     const std::uint32_t first = s_.plan.empty() ? 0 : s_.plan.front().rows.first;

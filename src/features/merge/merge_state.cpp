@@ -59,6 +59,16 @@ Vec3 MergeState::programmed(const State& state, Vec3 way) const {
   return its;
 }
 
+MergeState::Centre MergeState::centre_words(const State& state, Vec3 from, Vec2 centre) const {
+  const Vec2 arm = centre - recording.flat(from);
+  if (!recording.turns) {
+    const Vec3 its = in_frame(state, {arm.u, arm.v, 0});
+    return {its.x, its.y, 'J'};
+  }
+  const Vec3 its = in_frame(state, {arm.v, 0, arm.u});
+  return {its.x, its.z, 'K'};
+}
+
 void MergeState::refuse(base::Code code, std::string sentence) {
   if (!fault) fault = CannotMerge{code, std::move(sentence)};
 }

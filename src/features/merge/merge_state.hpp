@@ -24,6 +24,7 @@ struct Inherited {
   std::optional<double> peck{};  ///< Q of the cycle in force
   int motion = -1;               ///< 0 to 3; -1: a cycle, or not known
   std::optional<std::string> feed{};
+  bool is_compensated = false;
 };
 
 /// Whether two texts of a feed say the same.
@@ -58,6 +59,14 @@ struct MergeState {
   [[nodiscard]] std::string_view text_of(std::uint32_t block) const;
   [[nodiscard]] std::vector<BlockWord> words_in(std::uint32_t block) const;
   [[nodiscard]] Vec3 programmed(const State& state, Vec3 way) const;
+  /// The way from where an arc begins to its centre, as words say it: I and J, of a lathe I and K,
+  /// with I a radius.
+  struct Centre {
+    double i = 0;
+    double second = 0;
+    char second_letter = 'J';
+  };
+  [[nodiscard]] Centre centre_words(const State& state, Vec3 from, Vec2 centre) const;
   void refuse(base::Code code, std::string sentence);
   [[nodiscard]] bool is_same(double a, double b) const;
   /// In the unit of the program, whether it has a point or not.

@@ -26,8 +26,10 @@ class NewBlock {
     if (!is_cycle && (s_.now.motion != code || habits.repeats_code > habits.omits_code))
       words.push_back(s_.style.motion_word(code));
     s_.now.motion = is_cycle ? -1 : code;
+    const std::string offset = add_side(row, words);
     add_axes(row, state, !is_cycle && habits.repeats_axes > habits.omits_axes, words);
     if (row.arc) add_centre(row, state, words);
+    if (!offset.empty()) words.push_back(offset);
     if (!is_cycle) add_feed(row, habits.repeats_feed > habits.omits_feed, words);
     std::string line;
     for (const std::string& word : words) line += (line.empty() ? "" : s_.style.between()) + word;
@@ -46,32 +48,49 @@ class NewBlock {
     return "N" + base::rounded_text(number, 0);
   }
 
+  // What is made like a block that begins or ends a compensation does that, too. Its offset number.
+  std::string add_side(const PlannedRow& row, std::vector<std::string>& words) {
+    const Move& like = s_.recording.moves[row.like];
+    const bool is_compensated = s_.recording.state_of(like).is_compensated();
+    if (is_compensated == s_.now.is_compensated) return "";
+    s_.now.is_compensated = is_compensated;
+    const std::string_view text = s_.text_of(like.block);
+    std::string offset;
+    for (const BlockWord& word : s_.words_in(like.block)) {
+      const auto code = word.letter == 'G' ? word.number() : std::nullopt;
+      const std::string written(text.substr(word.begin, word.end - word.begin));
+      if (code && *code >= 40 && *code <= 42) words.push_back(written);
+      if (word.letter == 'D') offset = written;
+    }
+    return offset;
+  }
+
   void add_axes(const PlannedRow& row, const State& state, bool repeats,
                 std::vector<std::string>& words) {
     const Vec3 way = s_.programmed(state, row.to - s_.at);
     const bool is_incremental = s_.is_incremental.value_or(state.is_incremental);
     for (std::size_t axis = 0; axis < kMergedAxes.size(); ++axis) {
       const double by = axis_of(way, axis);
+      const bool is_flat = axis != (s_.recording.turns ? 1U : 2U);
       const double place = s_.now.axes[axis].value_or(0) + by;
-      if (std::fabs(by) >= s_.least || (repeats && axis < 2 && !is_incremental))
+      if (std::fabs(by) >= s_.least || (repeats && is_flat && !is_incremental))
         words.push_back(s_.style.word(kMergedAxes[axis], is_incremental ? by : place));
       s_.now.axes[axis] = place;
     }
   }
 
   void add_centre(const PlannedRow& row, const State& state, std::vector<std::string>& words) {
-    const Vec2 flat = row.arc->centre - Vec2{s_.at.x, s_.at.y};
-    const Vec3 arm = s_.programmed(state, {flat.u, flat.v, 0});
+    const auto arm = s_.centre_words(state, s_.at, row.arc->centre);
     const bool is_whole = std::fabs(row.arc->sweep_rad) > 6.28;
     if (s_.style.writes_radius() && !is_whole) {
       const double sign = std::fabs(row.arc->sweep_rad) > 3.1416 ? -1 : 1;
-      words.push_back(s_.style.word('R', sign * math::hypot(arm.x, arm.y)));
+      words.push_back(s_.style.word('R', sign * math::hypot(arm.i, arm.second)));
       return;
     }
-    if (std::fabs(arm.x) >= s_.least || s_.style.writes_zero_centres())
-      words.push_back(s_.style.word('I', arm.x));
-    if (std::fabs(arm.y) >= s_.least || s_.style.writes_zero_centres())
-      words.push_back(s_.style.word('J', arm.y));
+    if (std::fabs(arm.i) >= s_.least || s_.style.writes_zero_centres())
+      words.push_back(s_.style.word('I', arm.i));
+    if (std::fabs(arm.second) >= s_.least || s_.style.writes_zero_centres())
+      words.push_back(s_.style.word(arm.second_letter, arm.second));
   }
 
   void add_feed(const PlannedRow& row, bool repeats, std::vector<std::string>& words) {

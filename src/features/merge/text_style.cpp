@@ -66,7 +66,7 @@ void TextStyle::look_at_number(const BlockWord& word) {
 
 void TextStyle::look_at_arc(const std::vector<BlockWord>& words) {
   const BlockWord* const i = find(words, 'I');
-  const BlockWord* const j = find(words, 'J');
+  const BlockWord* const j = find(words, turns ? 'K' : 'J');
   if (i == nullptr && j == nullptr) {
     const BlockWord* const code = motion_in(words);
     if (code != nullptr && *code->number() >= 2 && find(words, 'R') != nullptr) ++radii_;
@@ -82,10 +82,10 @@ void TextStyle::look_at_arc(const std::vector<BlockWord>& words) {
 
 void TextStyle::look_at_habits(const std::vector<BlockWord>& words) {
   const BlockWord* const x = find(words, 'X');
-  const BlockWord* const y = find(words, 'Y');
+  const BlockWord* const y = find(words, turns ? 'Z' : 'Y');
   if (x == nullptr && y == nullptr) return;
   const BlockWord* const code = motion_in(words);
-  const bool is_arc = find(words, 'I') != nullptr || find(words, 'J') != nullptr ||
+  const bool is_arc = find(words, 'I') != nullptr || find(words, turns ? 'K' : 'J') != nullptr ||
                       (code != nullptr && *code->number() >= 2);
   if (code != nullptr && *code->number() == 0) return;
   Habits& habits = habits_[is_arc ? 1 : 0];

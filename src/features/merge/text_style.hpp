@@ -22,6 +22,8 @@ class TextStyle {
   /// What a number without a point counts, in units of the program; 0: as with a point.
   double pointless = 0;
 
+  bool turns = false;  ///< of a lathe: X and Z are the axes of its plane
+
   /// A number as the words of the program have it.
   [[nodiscard]] std::string number(double value) const;
   /// A number in the place of `old`, with its point, zeros and digits.

@@ -21,6 +21,13 @@ class Chunks {
   [[nodiscard]] const T& operator[](std::size_t i) const {
     return (*chunks_[i / kChunk])[i % kChunk];
   }
+  [[nodiscard]] T& operator[](std::size_t i) { return (*chunks_[i / kChunk])[i % kChunk]; }
+  [[nodiscard]] Chunks copy() const {
+    Chunks made;
+    for (const auto& chunk : chunks_) made.chunks_.push_back(std::make_unique<Chunk>(*chunk));
+    made.size_ = size_;
+    return made;
+  }
   [[nodiscard]] T& back() { return (*chunks_[(size_ - 1) / kChunk])[(size_ - 1) % kChunk]; }
 
  private:

@@ -5,12 +5,20 @@
 
 #include "base/interface.hpp"
 #include "base/point.hpp"
+#include "geometry/vec2.hpp"
 #include "geometry/vec3.hpp"
 
 namespace kerf::features {
 
 /// On which side of the programmed contour the tool goes (G41, G42).
 enum class Compensation : std::uint8_t { none, left, right };
+
+/// How the tool goes beside the programmed path, as the control has worked it out.
+struct CutterBeside {
+  double to_left_mm = 0;  ///< of its centre from the path; negative: to the right; 0: it goes on it
+  geometry::Vec2 tip{};   ///< from the centre to the point that is told
+  friend bool operator==(const CutterBeside&, const CutterBeside&) = default;
+};
 
 /// How programmed coordinates come to lie on the part (G68, G51, mirror image).
 struct Frame {
@@ -25,6 +33,7 @@ struct Modes {
   std::string zero = "G54";  ///< the work coordinate system
   geometry::Vec3 origin{};   ///< of it, machine coordinates, without shifts
   Compensation compensation = Compensation::none;
+  CutterBeside beside{};
   std::uint16_t cycle = 0;  ///< number of the canned cycle in force: 81; 0: none
   Frame frame{};
   bool is_incremental = false;  ///< words are ways, not places (G91)

@@ -49,10 +49,15 @@ struct State {
   double spindle_rpm = 0;
   motion::Spindle::Turning turning = motion::Spindle::Turning::stopped;
   Compensation compensation = Compensation::none;
+  CutterBeside beside{};
   std::uint16_t cycle = 0;
   Frame frame{};
   bool is_incremental = false;
   double unit_mm = 1;  ///< of a word
+
+  [[nodiscard]] bool is_compensated() const {
+    return compensation != Compensation::none || beside.to_left_mm != 0;
+  }
 };
 
 /// Where the work stands: a work coordinate system and the rotary axes.

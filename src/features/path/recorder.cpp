@@ -75,6 +75,7 @@ void Recorder::look(const base::TipPoint& to) {
   knows_modes_ = true;
   state_.setup = setup;
   state_.compensation = modes.compensation;
+  state_.beside = modes.beside;
   state_.cycle = modes.cycle;
   state_.frame = modes.frame;
   state_.is_incremental = modes.is_incremental;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -60,6 +61,8 @@ struct EditPlan {
   std::vector<std::size_t> arguments{};  ///< edits of the file that change an argument
   bool changes_more = false;             ///< blocks of several features, or what a call cuts
   std::vector<EditFault> warnings{};
+  /// The recording as its blocks command it, if rows are planned in that; none: as it is.
+  std::shared_ptr<const Recording> programmed{};
 };
 
 }  // namespace kerf::features

@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <map>
 
+#include "features/path/programmed.hpp"
 #include "features/plan/edit_sketch.hpp"
-#include "features/plan/internal/corner_moves.hpp"
 #include "features/plan/internal/feature_edits.hpp"
 #include "features/plan/internal/hole_edits.hpp"
 #include "features/plan/internal/layer_rules.hpp"
 #include "features/plan/internal/loops_out.hpp"
 #include "features/plan/internal/order_edit.hpp"
 #include "features/plan/internal/tool_edits.hpp"
+#include "features/plan/internal/turned_edits.hpp"
 
 namespace kerf::features {
 namespace {
@@ -19,6 +20,18 @@ using base::Code;
 
 bool writes_call_out(const Edit& edit, const Origin& origin) {
   return edit.scope == EditScope::this_call && origin.call.has_value();
+}
+
+/// Whether one of them names a feature that is cut under G41 or G42.
+bool edits_compensated(const Tree& tree, const std::vector<Edit>& edits) {
+  return std::any_of(edits.begin(), edits.end(), [&](const Edit& edit) {
+    for (std::size_t i = 0; i < tree.features.size(); ++i) {
+      const Feature& feature = tree.features[i];
+      const bool is_it = edit.target == "F" + std::to_string(i + 1) || edit.target == feature.key;
+      if (is_it) return feature.compensated != Compensation::none;
+    }
+    return false;
+  });
 }
 
 /// Gathers what all edits make of each feature, and changes its blocks once.
@@ -256,7 +269,12 @@ Done EditPlanner::check_origin(const Edit& edit, const Origin& origin, Editable 
 
 Editing<EditPlan> plan_edits(const Recording& recording, const Tree& tree, OldWays& ways,
                              const std::vector<Edit>& edits, EditAllowances allowed) {
-  return EditPlanner(recording, tree, ways, allowed).plan(edits);
+  if (!edits_compensated(tree, edits))
+    return EditPlanner(recording, tree, ways, allowed).plan(edits);
+  const auto programmed = std::make_shared<const Recording>(as_programmed(recording));
+  auto plan = EditPlanner(*programmed, tree, ways, allowed).plan(edits);
+  if (plan) plan->programmed = programmed;
+  return plan;
 }
 
 EditSketch sketch_edits(const Recording& recording, const Tree& tree,

@@ -49,6 +49,9 @@ int sort_of(const Whole& motion) {
 }
 
 bool is_same_sort(const Whole& a, const Whole& b) { return sort_of(a) == sort_of(b); }
+bool is_same_kind(const Whole& a, const Whole& b) {
+  return a.row.kind == b.row.kind && a.row.arc.has_value() == b.row.arc.has_value();
+}
 
 using Wholes = std::vector<Whole>;
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -176,8 +179,10 @@ Wholes news_of(Vec3 begin, const std::vector<PlannedRow>& rows) {
   return wholes;
 }
 
-/// Between the motions that are equal, those of one sort.
-Pairs pairs_of(const Wholes& olds, const Wholes& news) {
+using PairUp = void (*)(const Wholes&, const Wholes&, Window, Same, Pairs&);
+
+/// Between the motions that are equal, those that are alike.
+Pairs pairs_of(const Wholes& olds, const Wholes& news, Same is_alike, PairUp pair_alike) {
   Pairs equal;
   pair_up(olds, news, {0, olds.size(), 0, news.size()}, is_same, equal);
   Pairs pairs;
@@ -186,7 +191,7 @@ Pairs pairs_of(const Wholes& olds, const Wholes& news) {
   for (const auto& [a, b] : equal) {
     gap.a_end = a;
     gap.b_end = b;
-    pair_up(olds, news, gap, is_same_sort, pairs);
+    pair_alike(olds, news, gap, is_alike, pairs);
     if (a < olds.size()) pairs.emplace_back(a, b);
     gap.a = a + 1;
     gap.b = b + 1;
@@ -203,8 +208,19 @@ void align(const Recording& recording, Span old, Vec3 begin, std::vector<Planned
       !rows.empty() && rows.front().was && is_upright(recording, *rows.front().was);
   if (is_down) begin = {rows.front().to.x, rows.front().to.y, begin.z};
   for (PlannedRow& row : rows) row.was.reset();
-  for (const auto& [a, b] : pairs_of(olds_of(recording, old), news_of(begin, rows)))
+  for (const auto& [a, b] :
+       pairs_of(olds_of(recording, old), news_of(begin, rows), is_same_sort, pair_up))
     rows[b].was = old.first + static_cast<std::uint32_t>(a);
+}
+
+void align(const Recording& recording, const std::vector<std::uint32_t>& olds, Vec3 begin,
+           std::vector<PlannedRow>& rows) {
+  Wholes wholes;
+  for (const std::uint32_t row : olds)
+    wholes.push_back({recording.from(row), as_it_is(recording, row)});
+  for (PlannedRow& row : rows) row.was.reset();
+  for (const auto& [a, b] : pairs_of(wholes, news_of(begin, rows), is_same_kind, pair_by_reaches))
+    rows[b].was = olds[a];
 }
 
 }  // namespace kerf::features

@@ -10,6 +10,8 @@ namespace {
 
 using stock::ToolKind;
 
+constexpr double kLongestInfeed_mm = 5;  // of a facing cut, along the axis
+
 bool is_rapid(const Recording& recording, std::uint32_t row) {
   return recording.moves[row].kind == Move::Kind::rapid;
 }
@@ -35,6 +37,25 @@ bool moves_along(const Recording& recording, Span rows) {
   return false;
 }
 
+// Fed in beside the face, then square across to the axis.
+bool faces_behind_infeed(const Recording& recording, Span rows) {
+  double infeed_mm = 0;
+  bool is_across = false;
+  for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
+    const Vec3 way = recording.moves[row].to - recording.from(row);
+    const bool goes_in = std::fabs(way.x) <= kSamePoint_mm && way.z <= 0;
+    const bool goes_across =
+        std::fabs(way.z) <= kSamePoint_mm &&
+        std::fabs(recording.moves[row].to.x) < std::fabs(recording.from(row).x);
+    if (recording.moves[row].shape != Move::Shape::line || !(goes_in || goes_across)) return false;
+    if (goes_in && !goes_across && is_across) return false;
+    if (goes_in && !goes_across) infeed_mm -= way.z;
+    is_across = is_across || goes_across;
+  }
+  return is_across && infeed_mm <= kLongestInfeed_mm &&
+         std::fabs(recording.moves[rows.last].to.x) <= kSamePoint_mm;
+}
+
 template <typename Holds>
 bool any(const Recording& recording, Span rows, Holds&& holds) {
   for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
@@ -57,7 +78,15 @@ Chain::Kind kind_of(const Recording& recording, Span rows, const stock::Tool& to
   if (!tool.is_insert() || stays_on_axis(recording, rows))
     return stays_on_axis(recording, rows) ? Chain::Kind::axial : Chain::Kind::other;
   if (is_wide(tool.kind)) return Chain::Kind::groove;
+  if (faces_behind_infeed(recording, rows)) return Chain::Kind::across;
   return moves_along(recording, rows) ? Chain::Kind::along : Chain::Kind::across;
+}
+
+// On the other side of the axis it cuts the same.
+void mirror(contour::Edge& edge) {
+  edge.from.v = -edge.from.v;
+  edge.to.v = -edge.to.v;
+  edge.bulge = -edge.bulge;
 }
 
 }  // namespace
@@ -87,6 +116,10 @@ std::vector<Chain> chains_of(const Recording& recording, const Operation& operat
 std::vector<contour::Edge> edges_of(const Recording& recording, Span rows) {
   std::vector<contour::Edge> edges;
   for (std::uint32_t row = rows.first; row <= rows.last; ++row) recording.append_edges(row, edges);
+  contour::Box box;
+  for (const contour::Edge& edge : edges) box.take(contour::extents(edge));
+  if (box.low.v < -kSamePoint_mm && box.high.v <= kSamePoint_mm)
+    std::for_each(edges.begin(), edges.end(), mirror);
   return edges;
 }
 

@@ -12,7 +12,7 @@ namespace kerf::features {
 struct Chain {
   enum class Kind : std::uint8_t {
     along,   ///< moves along Z somewhere: turning, boring
-    across,  ///< along X alone: facing, or a pass from the face
+    across,  ///< along X alone: facing, also behind an infeed, or a pass from the face
     groove,  ///< by a tool with a width
     thread,  ///< in step with the spindle
     axial,   ///< on the axis of the spindle
@@ -27,7 +27,7 @@ struct Chain {
 [[nodiscard]] std::vector<Chain> chains_of(const Recording& recording, const Operation& operation,
                                            const stock::Tool& tool);
 
-/// The edges of the rows in (z, radius).
+/// The edges of the rows in (z, radius). What is cut beyond the axis alone lies on this side of it.
 [[nodiscard]] std::vector<contour::Edge> edges_of(const Recording& recording, Span rows);
 
 }  // namespace kerf::features

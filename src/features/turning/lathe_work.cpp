@@ -137,7 +137,10 @@ FeatureType LatheWork::type_of(const TurnedChain& chain, const stock::Tool& tool
     return chain.beyond == Beyond::inside ? FeatureType::boring : FeatureType::turning;
   // Facing leaves nothing before it.
   const std::uint32_t setup = recording_.state_of(recording_.moves[chain.chain.rows.first]).setup;
-  const auto front = materials_[setup].front_within(kBeyondBars_mm);
+  // A bar that nobody has described may be wider than the cut begins.
+  const bool is_known = materials_[setup].is_known();
+  const auto front =
+      materials_[setup].front_within(is_known ? kBeyondBars_mm : chain.path.high.v - kSamePoint_mm);
   const bool is_clear = !front || *front <= chain.path.low.u + kSamePoint_mm;
   if (is_clear) return FeatureType::facing;
   return tool.kind == ToolKind::boring_bar ? FeatureType::boring : FeatureType::turning;

@@ -27,6 +27,12 @@ features::Compensation compensation_of(GCode code) {
   return code == kRight ? features::Compensation::right : features::Compensation::none;
 }
 
+features::CutterBeside beside_of(const control::GcodeControl& control) {
+  const auto cutter = control.cutter();
+  if (!cutter) return {};
+  return {.to_left_mm = cutter->offset, .tip = cutter->tip};
+}
+
 // How the coordinates of the program come to lie in its plane XY.
 features::Frame frame_of(const motion::AxisSetup& axes, const control::GcodeControl& control) {
   const control::Transform& transform = control.coordinates().transform();
@@ -59,6 +65,7 @@ const features::Modes& ControlModes::modes() {
   look_at_zero();
   const control::ModalView modal = run_.control().modal();
   modes_.compensation = compensation_of(code_of(modal, Group::compensation));
+  modes_.beside = gcode_ == nullptr ? features::CutterBeside{} : beside_of(*gcode_);
   const GCode cycle = code_of(modal, Group::cycle);
   modes_.cycle = cycle == kNoCycle ? GCode{0} : static_cast<GCode>(cycle / kWhole);
   modes_.is_incremental = code_of(modal, Group::distance) == kIncremental;

@@ -13,6 +13,8 @@ namespace {
 using contour::Box;
 using contour::Edge;
 
+constexpr double kTouch_mm = 1e-9;
+
 /// All edges of all passes, by place.
 class Walls {
  public:
@@ -22,13 +24,11 @@ class Walls {
   [[nodiscard]] bool are_clear_of(const Edge& lead, std::size_t own, double clearance) const {
     bool is_clear = true;
     tree_.search(extents(lead).grown(clearance), [&](std::size_t item) {
-      if (!is_clear) return;
-      // Of the way itself only what the lead comes back to.
-      const double from = owners_[item] == own ? 0.25 : 0;
-      for (double share = from; share <= 1; share += 0.125) {
-        const bool is_near_end = owners_[item] == own && share > 0.75;
-        if (is_near_end) break;
-        if (distance(edges_[item], point_at(lead, 1 - share)) < clearance - 1e-9) is_clear = false;
+      // Where it leaves its own way it is near to that, and further on it must not come back.
+      const bool is_own = owners_[item] == own;
+      for (double from_end = is_own ? 0.25 : 0; from_end <= 1; from_end += 0.125) {
+        const double least = is_own && from_end < 0.6 ? kTouch_mm : clearance - kTouch_mm;
+        if (distance(edges_[item], point_at(lead, 1 - from_end)) < least) is_clear = false;
       }
     });
     return is_clear;

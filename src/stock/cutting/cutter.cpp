@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "math/math.hpp"
 #include "motion/feed.hpp"
@@ -289,19 +288,15 @@ void Cutter::check_pitch(const Waiting& of) {
 BodyId Cutter::body_of(const CuttingTool& tool) {
   const auto known = bodies_.find(tool.number());
   if (known != bodies_.end()) return known->second;
-  await_model();
+  beside_.await();
   if (settings_.watch != nullptr) settings_.watch->added(tool.body);
   return bodies_.emplace(tool.number(), model_.add_body(tool.body)).first->second;
 }
 
 void Cutter::finish() {
   cut_batch();
-  await_model();
+  beside_.await();
   settle_batch(before_);
-}
-
-void Cutter::await_model() {
-  if (cutting_.valid()) cutting_.get();
 }
 
 // The middle of the ball goes straight wherever the tool does. A curve that turns is divided into
@@ -335,20 +330,15 @@ std::optional<double> Cutter::first_touch(const BallWay& ball) const {
 }
 
 void Cutter::cut_batch() {
-  await_model();
+  beside_.await();
   std::swap(now_, before_);
   before_.outcomes.assign(before_.sweeps.size(), Outcome{});
-  const auto cut = [this] { model_.cut(before_.sweeps, before_.outcomes); };
   if (settings_.cuts_beside) {
-    try {
-      cutting_ = std::async(std::launch::async, cut);
-    } catch (const std::system_error&) {
-      cut();  // the computer gives no more threads
-    }
+    beside_.begin(model_, before_.sweeps, before_.outcomes);
     settle_batch(now_);
     return;
   }
-  cut();
+  model_.cut(before_.sweeps, before_.outcomes);
   if (settings_.watch != nullptr) settings_.watch->cut(before_.sweeps);
   settle_batch(before_);
 }

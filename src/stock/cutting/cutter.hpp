@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <future>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +10,7 @@
 #include "motion/axis_setup.hpp"
 #include "motion/motion.hpp"
 #include "motion/move_curves.hpp"
+#include "stock/cutting/cut_beside.hpp"
 #include "stock/cutting/cutting_tool.hpp"
 #include "stock/cutting/findings.hpp"
 #include "stock/cutting/judge.hpp"
@@ -50,7 +50,8 @@ class Cutter final : public motion::MotionSink {
     std::optional<CutMaterial> material{};  ///< of the stock: it tells forces
     MotionCutSink* cuts = nullptr;          ///< gets every motion that moves; outlives the cutter
     CutWatch* watch = nullptr;              ///< sees what the model gets; outlives the cutter
-    /// A batch is cut by a thread of its own while the next one comes together. Not with `watch`.
+    /// A batch is cut by a thread of its own while the next one comes together; who waits for it
+    /// then helps. Not with `watch`.
     bool cuts_beside = false;
     std::size_t batch = 2048;     ///< so many sweeps are cut at a time: their outcomes fit a cache
     std::optional<CutEnd> end{};  ///< none: all is cut
@@ -146,7 +147,6 @@ class Cutter final : public motion::MotionSink {
   void check_pitch(const Waiting& of);
   [[nodiscard]] BodyId body_of(const CuttingTool& tool);
   void cut_batch();
-  void await_model();
   void settle_batch(Batch& batch);  // what the model did; then it is empty
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const;
   void settle(const Batch& batch, const Waiting& waiting, const Outcome& outcome);
@@ -188,7 +188,7 @@ class Cutter final : public motion::MotionSink {
   std::size_t next_look_ = 0;
   std::set<std::uint32_t> wrong_lengths_;  // tools that were told
   Batch before_;                           // has been given to the model, and is not settled
-  std::future<void> cutting_;              // of `before_`; last: its end waits for the thread
+  CutBeside beside_;                       // of `before_`; last: its end waits for the thread
 };
 
 }  // namespace kerf::stock

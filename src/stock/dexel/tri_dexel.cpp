@@ -43,10 +43,11 @@ struct TriDexel::Threads {
   /// As base::each_by_threads().
   template <class Work>
   void each(std::size_t items, const Work& work) {
-    base::each_by_threads(items, count, work);
+    base::each_by_threads(items, count, work, helper);
   }
 
   unsigned count;
+  base::Helper* helper = nullptr;
   Tallies tallies;
 };
 
@@ -97,6 +98,8 @@ double TriDexel::bytes_for(const Bounds& box, double cell_mm) {
   const double z = cells_along(box.high.z - box.low.z, cell_mm);
   return (x * y + y * z + z * x) * (8 + 2 * sizeof(DexelEnd));
 }
+
+void TriDexel::use(base::Helper* helper) { threads_->helper = helper; }
 
 Vec3 TriDexel::half() const { return 0.5 * (box_.high - box_.low); }
 

@@ -52,6 +52,7 @@ class TriDexel final : public Model {
   [[nodiscard]] BodyId add_body(const Body& body) override;
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  void use(base::Helper* helper) override;
   [[nodiscard]] double left_mm3() const override;
   [[nodiscard]] double stock_mm3() const override;
   [[nodiscard]] double error_mm3() const override;

@@ -27,6 +27,12 @@ struct BlockPoints {
   [[nodiscard]] double y_of(std::size_t i) const { return y[i / kBlockSide]; }
 };
 
+/// A box that is larger by so much to all sides, seen from above.
+[[nodiscard]] inline Bounds around(const Bounds& box, double reach) {
+  const Vec3 by{reach, reach, 0};
+  return {box.low - by, box.high + by};
+}
+
 /// How far columns are from the middle of those of their block, mm.
 struct HalfBlock {
   double x = 0;

@@ -34,6 +34,7 @@ class HeightField final : public Model {
   /// Axis +Z, straight or an arc, edges without an undercut.
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  void use(base::Helper* helper) override { work_.use(helper); }
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
   /// Of lines along Z.
   [[nodiscard]] Stretch material_on(const StraightWay& line) const override;

@@ -64,30 +64,35 @@ inline bool is_whole_ball(const EnvelopePiece& piece) {
 }
 
 /// A ball up to its equator. w is half the chord that the column's plane across the way cuts from
-/// it; the lowest place is at x = w m / √(1 + m²), w / √(1 + m²) below the axis, unless an end of
-/// the way comes before it. Which it is shows in squares, so that one root is enough.
+/// it. Under an end of the way that is x off the column its surface is √(w² - x²) below the axis;
+/// between them the lowest place is w √(1 + m²) below where the axis is over the column, at
+/// x = w m / √(1 + m²), unless an end comes before that.
 struct BallLow {
   BallLow(const StraightSight& way, const EnvelopePiece& piece)
-      : radius2(narrow(piece.radius * piece.radius)), base(way.z + narrow(piece.z)) {}
+      : radius2(all(narrow(piece.radius * piece.radius))),
+        base(all(way.z + narrow(piece.z))),
+        top(base + way.slope * way.length),
+        length(all(way.length)),
+        slope(all(way.slope)),
+        lean2(all(way.lean2)),
+        steep2(all(1 + way.slope * way.slope)) {}
 
-  [[nodiscard]] Lanes operator()(const StraightSight& way, const ColumnLanes& at) const {
-    const Lanes none{};
+  [[nodiscard]] Lanes operator()(const ColumnLanes& at) const {
     const Lanes begin = at.along;
-    const Lanes end = begin - way.length;
+    const Lanes end = begin - length;
     const Lanes w2 = radius2 - at.across2;
-    const Lanes best2 = w2 * way.lean2;
-    const LaneInts at_begin = (begin <= none) | (begin * begin <= best2);
-    const LaneInts at_end = (end > none) & (end * end > best2);
-    const Lanes near = at_begin ? begin : end;
-    const Lanes depth2 = (at_begin | at_end) ? w2 - near * near : w2 * way.upright2;
-    const Lanes depth = root(depth2);
-    const Lanes x = (at_begin | at_end) ? near : depth * way.slope;
-    const Lanes z = base + way.slope * (begin - x) - depth;
-    return depth2 >= none ? z : all(kNowhere);
+    const Lanes best2 = w2 * lean2;
+    const LaneInts at_begin = signed_square(begin) <= best2;
+    const LaneInts at_either = at_begin | (signed_square(end) > best2);
+    const Lanes x = pick(at_begin, begin, end);
+    const Lanes under = pick(at_begin, base, top);
+    const Lanes depth2 = pick(at_either, w2 - x * x, w2 * steep2);
+    const Lanes z = pick(at_either, under, base + slope * begin) - root(depth2);
+    return pick(depth2 >= Lanes{}, z, all(kNowhere));
   }
 
-  float radius2;
-  float base;
+  // In all lanes, so that nothing is read anew for each block.
+  Lanes radius2, base, top, length, slope, lean2, steep2;
 };
 
 /// A part of a ball.
@@ -133,7 +138,7 @@ inline Lanes torus_low(const StraightSight& way, const EnvelopePiece& piece,
 inline Lanes piece_low(const StraightSight& way, const EnvelopePiece& piece,
                        const ColumnLanes& at) {
   using Kind = EnvelopePiece::Kind;
-  if (is_whole_ball(piece)) return BallLow(way, piece)(way, at);
+  if (is_whole_ball(piece)) return BallLow(way, piece)(at);
   if (piece.kind == Kind::face) return face_low(way, piece, at);
   if (piece.kind == Kind::cone) return cone_low(way, piece, at);
   if (piece.core == 0 && piece.s0 == 0) return cap_low(way, piece, at);

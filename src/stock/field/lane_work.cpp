@@ -1,6 +1,7 @@
 // Compiled for each width of registers: straight ways over the columns of a tile.
 #include "stock/field/lane_work.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "stock/field/lane_pieces.hpp"
@@ -10,8 +11,6 @@
 namespace kerf::stock::field {
 namespace KERF_LANES {
 namespace {
-
-constexpr float kMostBin = Outcome::kBins - 1.0F;
 
 /// Calls with the number of each part of a block that fills the lanes.
 template <class Do>
@@ -43,8 +42,8 @@ struct BlockLanes {
     const Lanes past = larger(larger(-along, along - way.length) - way.half_along, none);
     tip = way.lowest_z + way.slope * larger(along - way.reach, none);
     if (way.begins_behind) {
-      tip = is_behind(way.behind, along - way.half_along, along + way.half_along, u) ? all(kNowhere)
-                                                                                     : tip;
+      tip = pick(is_behind(way.behind, along - way.half_along, along + way.half_along, u),
+                 all(kNowhere), tip);
     }
     distance2 = u * u + past * past;
   }
@@ -61,31 +60,42 @@ void for_blocks(const StraightSight& way, const BlockGrid& grid, std::size_t row
     act(i, BlockLanes(way, load(grid.x + i) - from_x, y));
 }
 
-/// `low` gives the surface over blocks, not above it.
-template <class Low>
-void meet_rows(const StraightSight& way, float reach2, const BlockGrid& grid, BlockMasks& met,
-               const Low& low) {
+/// Calls `is_low(at, over)` for blocks that the tool reaches, `over` being how high the surface is
+/// above their tops where the tool has no roundness.
+template <class IsLow>
+void meet_rows(const StraightSight& way, const RoundFloor& tool, const BlockGrid& grid,
+               BlockMasks& met, const IsLow& is_low) {
+  const Lanes reach2 = all(tool.reach2);
+  const Lanes z = all(tool.z);
   for (std::size_t row = grid.first_y; row < grid.end_y; ++row) {
     const float* const tops = grid.tops + row * kTileBlocks;
-    met[row] = 0;
+    unsigned of_row = 0;
     for_blocks(way, grid, row, [&](std::size_t i, const BlockLanes& at) {
+      const Lanes top = load(tops + i);
       const LaneInts is_met =
-          (at.distance2 <= all(reach2)) & (larger(Lanes{}, low(at)) < load(tops + i));
-      met[row] |= bits(is_met) << i;
+          (at.distance2 <= reach2) & (top > Lanes{}) & is_low(at, at.tip + z - top);
+      of_row |= bits(is_met) << i;
     });
+    met[row] = of_row;
   }
+}
+
+/// over < √depth2.
+LaneInts is_below_root(Lanes over, Lanes depth2) {
+  return (over < Lanes{}) | (over * over < depth2);
 }
 
 void meets(const StraightSight& way, const RoundFloor& tool, const BlockGrid& grid,
            BlockMasks& met) {
+  const Lanes radius2 = all(tool.radius2);
   if (tool.core == 0 && tool.base == 0) {  // a ball
-    return meet_rows(way, tool.reach2, grid, met, [&](const BlockLanes& at) {
-      return at.tip + tool.z - root(tool.radius2 - at.distance2);
+    return meet_rows(way, tool, grid, met, [&](const BlockLanes& at, Lanes over) {
+      return is_below_root(over, radius2 - at.distance2);
     });
   }
-  meet_rows(way, tool.reach2, grid, met, [&](const BlockLanes& at) {
+  meet_rows(way, tool, grid, met, [&](const BlockLanes& at, Lanes over) {
     const Lanes out = larger(root(at.distance2) - tool.core, Lanes{}) - tool.base;
-    return at.tip + tool.z - root(tool.radius2 - out * out);
+    return is_below_root(over, radius2 - out * out);
   });
 }
 
@@ -105,35 +115,79 @@ unsigned below(const float* low, const float* high) {
   return of;
 }
 
+/// Which columns are behind a leg: none, those before a line, those past a round tool without a
+/// flat, those past any tool.
+enum class Rear { open, before, past_round, past };
+
+/// Where columns are from a straight way that is not vertical.
+///
 /// Columns behind have been cut, and rounding is not to cut them once more: otherwise what a block
 /// that is looked at for another column holds would depend on where blocks are.
-[[gnu::always_inline]] inline ColumnLanes columns(const StraightSight& way, Lanes x, Lanes y) {
-  if (way.length == 0) {  // no direction is better than another
+template <Rear rear>
+class Beside {
+ public:
+  explicit Beside(const StraightSight& way)
+      : behind_(way.behind),
+        dx_(all(way.dx)),
+        dy_(all(way.dy)),
+        left_(all(way.left)),
+        before_(all(way.behind.before)),
+        after_(all(way.behind.after)),
+        lean_(all(way.behind.lean)),
+        lean2_(all(way.behind.lean2)) {}
+
+  [[nodiscard]] ColumnLanes operator()(Lanes x, Lanes y) const {
+    const Lanes u = y * dx_ - x * dy_;
+    ColumnLanes at{x * dx_ + y * dy_, u * u, left_ * u};
+    if constexpr (rear != Rear::open)
+      at.across2 = pick(are_behind(at, u), all(kNowhere), at.across2);
+    return at;
+  }
+
+ private:
+  [[nodiscard]] LaneInts are_behind(const ColumnLanes& at, Lanes u) const {
+    if constexpr (rear == Rear::before) return at.along < before_;
+    if constexpr (rear == Rear::past_round)
+      return signed_square(at.along - after_) > lean2_ - lean_ * at.across2;
+    return is_behind(behind_, at.along, at.along, size_of(u));
+  }
+
+  const Behind& behind_;
+  Lanes dx_, dy_, left_, before_, after_, lean_, lean2_;
+};
+
+/// No direction is better than another.
+struct Around {
+  [[nodiscard]] ColumnLanes operator()(Lanes x, Lanes y) const {
     const Lanes distance2 = x * x + y * y;
     return {Lanes{}, distance2, root(distance2)};
   }
-  const Lanes u = y * way.dx - x * way.dy;
-  ColumnLanes at{x * way.dx + y * way.dy, u * u, way.left * u};
-  if (way.begins_behind) {
-    at.across2 =
-        is_behind(way.behind, at.along, at.along, larger(u, -u)) ? all(kNowhere) : at.across2;
-  }
-  return at;
+};
+
+/// Calls with what says where columns are from the way.
+template <class Do>
+void with_places(const StraightSight& way, const Do& act) {
+  if (way.length == 0) return act(Around{});
+  if (!way.begins_behind) return act(Beside<Rear::open>(way));
+  if (way.behind.after >= kNowhere) return act(Beside<Rear::before>(way));
+  if (way.behind.core == 0) return act(Beside<Rear::past_round>(way));
+  act(Beside<Rear::past>(way));
 }
 
 /// Calls with the number of the first column and where they are, as many as there are lanes.
-template <class Do>
-void for_columns(const StraightSight& way, const BlockPoints& points, const Do& act) {
+template <class Place, class Do>
+[[gnu::always_inline]] inline void for_columns(const StraightSight& way, const Place& place,
+                                               const BlockPoints& points, const Do& act) {
   const Lanes x = along_rows(from_origin(points.x, way.x));
   const FourFloats y = from_origin(points.y, way.y);
   for_parts([&](auto part) {
     constexpr int first = decltype(part)::value * static_cast<int>(kLanes);
-    act(static_cast<std::size_t>(first), columns(way, x, across_rows<first / kBlockSide>(y)));
+    act(static_cast<std::size_t>(first), place(x, across_rows<first / kBlockSide>(y)));
   });
 }
 
-Lanes lowest(const StraightSight& way, std::span<const EnvelopePiece> pieces,
-             const ColumnLanes& at) {
+Lanes lowest_of(const StraightSight& way, std::span<const EnvelopePiece> pieces,
+                const ColumnLanes& at) {
   Lanes low = all(kNowhere);
   for (const EnvelopePiece& piece : pieces) low = smaller(low, piece_low(way, piece, at));
   return low;
@@ -141,8 +195,10 @@ Lanes lowest(const StraightSight& way, std::span<const EnvelopePiece> pieces,
 
 void lower(const StraightSight& way, std::span<const EnvelopePiece> pieces,
            const BlockPoints& points, BlockValues& low) {
-  for_columns(way, points, [&](std::size_t first, const ColumnLanes& at) {
-    store(smaller(load(&low[first]), lowest(way, pieces, at)), &low[first]);
+  with_places(way, [&](const auto& place) {
+    for_columns(way, place, points, [&](std::size_t first, const ColumnLanes& at) {
+      store(smaller(load(&low[first]), lowest_of(way, pieces, at)), &low[first]);
+    });
   });
 }
 
@@ -150,55 +206,31 @@ Lanes bottoms(const Columns::Tile& tile, std::size_t column) {
   return tile.bottoms != nullptr ? load(tile.bottoms + column) : Lanes{};
 }
 
-float highest(Lanes of) {
-  float most = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) most = of[i] > most ? of[i] : most;
-  return most;
-}
-
-/// One part of a block is lowered.
-struct Lowering {
-  Lanes before;
-  Lanes height;
-  Lanes offset;
-  LaneInts is_lower;
+/// Blocks of a tile that are looked at, and what is seen there.
+struct Looks {
+  const Columns::Tile& tile;
+  std::span<const int> blocks;
+  Look* looks;
+  std::size_t* lowered;
 };
 
-void note_sides(const Lowering& of, std::size_t first, Sides& sides, Lowered& lowered) {
-  const LaneInts sided = of.is_lower & (of.offset < all(kNowhere));
-  const Lanes bin =
-      smaller(larger((of.offset + sides.reach) * sides.bins_per_mm, Lanes{}), all(kMostBin));
-  const LaneInts bins = __builtin_convertvector(bin, LaneInts);
-  std::memcpy(&lowered.bins[first], &bins, sizeof bins);
-  lowered.sided |= bits(sided) << first;
-  const auto most = [&](Lanes value, BlockValues& into) {
-    store(larger(load(&into[first]), sided ? value : all(-kNowhere)), &into[first]);
-  };
-  const auto least = [&](Lanes value, BlockValues& into) {
-    store(smaller(load(&into[first]), sided ? value : all(kNowhere)), &into[first]);
-  };
-  most(of.offset, sides.left);
-  least(of.offset, sides.right);
-  most(of.before, sides.highest);
-  least(of.height, sides.lowest);
-}
-
 /// `low` gives the surface over columns.
-template <class Low>
-std::size_t look_at(const StraightSight& way, const Columns::Tile& tile,
-                    std::span<const int> blocks, Look* looks, std::size_t* lowered,
-                    const Low& low) {
+template <class Place, class Low>
+std::size_t look_at(const StraightSight& way, const Looks& of, const Place& place, const Low& low) {
   std::size_t count = 0;
-  for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const auto column = static_cast<std::size_t>(blocks[k]) * kBlockCells;
+  for (std::size_t k = 0; k < of.blocks.size(); ++k) {
+    const auto column = static_cast<std::size_t>(of.blocks[k]) * kBlockCells;
     LaneInts lowers{};
-    for_columns(way, tile.points(blocks[k]), [&](std::size_t i, const ColumnLanes& at) {
-      const Lanes surface = low(at);
-      store(surface, &looks[k].low[i]);
-      store(at.offset, &looks[k].offsets[i]);
-      lowers |= larger(surface, bottoms(tile, column + i)) < load(tile.heights + column + i);
-    });
-    lowered[count] = k;
+    Look& look = of.looks[k];
+    for_columns(
+        way, place, of.tile.points(of.blocks[k]), [&](std::size_t i, const ColumnLanes& at) {
+          const Lanes surface = low(at);
+          store(surface, &look.low[i]);
+          store(at.offset, &look.offsets[i]);
+          lowers |=
+              larger(surface, bottoms(of.tile, column + i)) < load(of.tile.heights + column + i);
+        });
+    of.lowered[count] = k;
     count += static_cast<std::size_t>(bits(lowers) != 0);
   }
   return count;
@@ -207,41 +239,121 @@ std::size_t look_at(const StraightSight& way, const Columns::Tile& tile,
 std::size_t look(const StraightSight& way, std::span<const EnvelopePiece> pieces,
                  const Columns::Tile& tile, std::span<const int> blocks, Look* looks,
                  std::size_t* lowered) {
-  if (pieces.size() == 1 && is_whole_ball(pieces[0])) {
-    const BallLow ball(way, pieces[0]);
-    return look_at(way, tile, blocks, looks, lowered,
-                   [&](const ColumnLanes& at) { return ball(way, at); });
-  }
-  return look_at(way, tile, blocks, looks, lowered,
-                 [&](const ColumnLanes& at) { return lowest(way, pieces, at); });
+  const Looks of{tile, blocks, looks, lowered};
+  std::size_t count = 0;
+  with_places(way, [&](const auto& place) {
+    if (pieces.size() == 1 && is_whole_ball(pieces[0])) {
+      count = look_at(way, of, place, BallLow(way, pieces[0]));
+    } else {
+      count = look_at(way, of, place,
+                      [&](const ColumnLanes& at) { return lowest_of(way, pieces, at); });
+    }
+  });
+  return count;
 }
 
-void own(LaneInts those, std::uint32_t motion, std::uint32_t* owners) {
-  LaneInts owner;
-  std::memcpy(&owner, owners, sizeof owner);
-  owner = those ? LaneInts{} + static_cast<std::int32_t>(motion) : owner;
-  std::memcpy(owners, &owner, sizeof owner);
-}
-
-void settle(const Look& look, std::uint32_t motion, const Columns::Tile& tile, int block,
-            Sides& sides, Lowered& lowered) {
-  const auto first = static_cast<std::size_t>(block) * kBlockCells;
-  Lanes top{};
-  lowered.columns = lowered.sided = 0;
-  for (std::size_t i = 0; i < kBlockCells; i += kLanes) {
-    const Lanes bottom = bottoms(tile, first + i);
-    const Lanes before = load(tile.heights + first + i);
-    const Lanes height = larger(load(&look.low[i]), bottom);
-    const Lowering of{before, height, load(&look.offsets[i]), height < before};
-    const Lanes after = of.is_lower ? height : before;
-    store(after, tile.heights + first + i);
-    store(before - height, &lowered.by[i]);
-    own(of.is_lower, motion, tile.owners + first + i);
-    lowered.columns |= bits(of.is_lower) << i;
-    note_sides(of, i, sides, lowered);
-    top = larger(top, after > bottom ? after : Lanes{});
+/// Blocks as they are lowered.
+class Settler {
+ public:
+  Settler(const Columns::Tile& tile, std::uint32_t motion, Taken& taken)
+      : tile_(tile),
+        taken_(taken),
+        motion_(LaneInts{} + static_cast<std::int32_t>(motion)),
+        reach_(all(taken.reach)),
+        bins_per_mm_(all(taken.bins_per_mm)) {
+    std::memcpy(&heights_, taken.heights.data(), sizeof heights_);
   }
-  tile.block_tops[block] = highest(top);
+
+  void settle(int block, const Look& look) {
+    const auto first = static_cast<std::size_t>(block) * kBlockCells;
+    Lanes top{};
+    for_parts([&](auto part) {
+      constexpr int i = decltype(part)::value * static_cast<int>(kLanes);
+      settle_part<i>(first + i, load(&look.low[i]), load(&look.offsets[i]), top);
+    });
+    tile_.block_tops[block] = highest(top);
+    add_to_bins();
+  }
+
+  void finish() {
+    std::memcpy(taken_.heights.data(), &heights_, sizeof heights_);
+    taken_.left = std::max(taken_.left, highest(left_));
+    taken_.right = std::min(taken_.right, lowest(right_));
+    taken_.highest = std::max(taken_.highest, highest(highest_));
+    taken_.lowest = std::min(taken_.lowest, lowest(lowest_));
+  }
+
+ private:
+  /// Those from `column` on, number i of their block.
+  template <int i>
+  void settle_part(std::size_t column, Lanes low, Lanes offset, Lanes& top) {
+    const Lanes bottom = bottoms(tile_, column);
+    const Lanes before = load(tile_.heights + column);
+    const Lanes height = larger(low, bottom);
+    const LaneInts is_lower = height < before;
+    const Lanes after = smaller(height, before);
+    store(after, tile_.heights + column);
+    own(is_lower, tile_.owners + column);
+    top = larger(top, pick(after > bottom, after, Lanes{}));
+    const LaneInts is_sided = offset < all(kNowhere);
+    see(is_lower & is_sided, offset, before, height);
+    sort_out<i>(is_sided, offset, before - after);
+  }
+
+  void own(LaneInts those, std::uint32_t* owners) const {
+    LaneInts owner;
+    std::memcpy(&owner, owners, sizeof owner);
+    owner = those ? motion_ : owner;
+    std::memcpy(owners, &owner, sizeof owner);
+  }
+
+  void see(LaneInts those, Lanes offset, Lanes before, Lanes height) {
+    left_ = larger(left_, pick(those, offset, all(-kNowhere)));
+    right_ = smaller(right_, pick(those, offset, all(kNowhere)));
+    highest_ = larger(highest_, pick(those, before, all(-kNowhere)));
+    lowest_ = smaller(lowest_, pick(those, height, all(kNowhere)));
+  }
+
+  // What is not lowered goes to its bin as well, by nothing: that takes less than a look whether.
+  template <int i>
+  void sort_out(LaneInts those, Lanes offset, Lanes by) {
+    const Lanes place = smaller(larger((offset + reach_) * bins_per_mm_, Lanes{}), all(kLastBin));
+    const LaneInts bins = those ? __builtin_convertvector(place, LaneInts) : LaneInts{} + kNoBin;
+    std::memcpy(&bins_[i], &bins, sizeof bins);
+    add_doubles<0>(by, &by_[i], heights_);
+    if constexpr (kLanes == 8) add_doubles<4>(by, &by_[i + 4], heights_);
+  }
+
+  // Columns that are neighbours have the same bin, and a sum takes long to be there for the next
+  // one to be added: so along diagonals, and to two sums in turn.
+  void add_to_bins() {
+    for (std::size_t diagonal = 0; diagonal < kBlockSide; ++diagonal) {
+      for (std::size_t row = 0; row < kBlockSide; ++row) {
+        const std::size_t i = row * kBlockSide + (row + diagonal) % kBlockSide;
+        taken_.across[diagonal % 2][bins_[i]] += by_[i];
+      }
+    }
+  }
+
+  static constexpr float kLastBin = Outcome::kBins - 1.0F;
+  static constexpr std::int32_t kNoBin = Outcome::kBins;
+
+  const Columns::Tile& tile_;
+  Taken& taken_;
+  LaneInts motion_;
+  Lanes reach_, bins_per_mm_;
+  FourDoubles heights_{};
+  Lanes left_ = all(-kNowhere), right_ = all(kNowhere);
+  Lanes highest_ = all(-kNowhere), lowest_ = all(kNowhere);
+  std::array<double, kBlockCells> by_{};  // of the block
+  std::array<std::uint32_t, kBlockCells> bins_{};
+};
+
+void settle(const Columns::Tile& tile, std::uint32_t motion, std::span<const int> blocks,
+            const Look* looks, std::span<const std::size_t> lowered, Taken& taken) {
+  Settler settler(tile, motion, taken);
+  for (const std::size_t k : lowered) settler.settle(blocks[k], looks[k]);
+  settler.finish();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "stock/field/block_points.hpp"
 #include "stock/field/columns.hpp"
 #include "stock/field/lower_envelope.hpp"
+#include "stock/sweep/outcome.hpp"
 
 namespace kerf::stock::field {
 
@@ -28,10 +29,9 @@ struct StraightSight {
   float dx = 1, dy = 0;
   float z = 0;
   float slope = 0;
-  float length = 0;    ///< 0: vertical
-  float left = 1;      ///< -1: the tool goes down it, and has its left on the right
-  float upright2 = 1;  ///< 1 / (1 + slope²)
-  float lean2 = 0;     ///< slope² / (1 + slope²)
+  float length = 0;  ///< 0: vertical
+  float left = 1;    ///< -1: the tool goes down it, and has its left on the right
+  float lean2 = 0;   ///< slope² / (1 + slope²)
   bool begins_behind = false;
   Behind behind{};
   // Of blocks: how far their columns are from their middles along and across the way, how far
@@ -58,34 +58,22 @@ struct Look {
   BlockValues offsets;
 };
 
-/// Columns of one block as they are lowered.
-struct Lowered {
-  BlockValues by;                              ///< mm
-  std::array<std::int32_t, kBlockCells> bins;  ///< of their offsets
-  unsigned columns = 0;                        ///< bit i: column i is lowered
-  unsigned sided = 0;                          ///< and its offset is known
-};
-
-/// How far to the sides and how high columns were that a sweep lowered, in as many parts as a block
-/// has columns.
-struct Sides {
+/// What a sweep took from columns, mm of heights. Sums are in the order of the blocks, four of
+/// them beside each other, and do not depend on how many columns are computed with at once.
+struct Taken {
   float bins_per_mm = 0;
-  float reach = 0;
-  BlockValues left{};
-  BlockValues right{};
-  BlockValues highest{};
-  BlockValues lowest{};
-};
+  float reach = 0;  ///< half of what the bins go over
+  std::array<double, kBlockSide> heights{};
+  /// By offset, in two parts; the last one: of columns whose offset is not known.
+  std::array<std::array<double, Outcome::kBins + 1>, 2> across{};
+  // Of columns whose offset is known, to the sides and how high they were and are.
+  float left = -kNowhere;
+  float right = kNowhere;
+  float highest = -kNowhere;
+  float lowest = kNowhere;
 
-/// Of nothing.
-constexpr Sides no_sides() {
-  Sides none{};
-  none.left.fill(-kNowhere);
-  none.right.fill(kNowhere);
-  none.highest.fill(-kNowhere);
-  none.lowest.fill(kNowhere);
-  return none;
-}
+  [[nodiscard]] float place_of(float offset) const { return (offset + reach) * bins_per_mm; }
+};
 
 /// What TileCutter asks of many columns at once. There is one for each width of registers, and all
 /// give the same bits: they compute each column as if alone.
@@ -107,10 +95,11 @@ struct LaneWork {
   std::size_t (*look)(const StraightSight& way, std::span<const EnvelopePiece> pieces,
                       const Columns::Tile& tile, std::span<const int> blocks, Look* looks,
                       std::size_t* lowered);
-  /// Heights become low, not below their bottoms, where that is lower; their owner is the motion
-  /// then. The block's top is kept. Of offsets that are kNowhere there are no sides.
-  void (*settle)(const Look& look, std::uint32_t motion, const Columns::Tile& tile, int block,
-                 Sides& sides, Lowered& lowered);
+  /// For each i of `lowered`, of blocks[i] and looks[i]: heights become low, not below their
+  /// bottoms, where that is lower; their owner is the motion then. The block's top is kept. Offsets
+  /// that are kNowhere are not known.
+  void (*settle)(const Columns::Tile& tile, std::uint32_t motion, std::span<const int> blocks,
+                 const Look* looks, std::span<const std::size_t> lowered, Taken& taken);
 };
 
 /// Those that this processor can do, the widest last.

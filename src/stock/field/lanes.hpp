@@ -42,9 +42,42 @@ inline Lanes load(const float* from) {
 inline void store(Lanes v, float* to) { std::memcpy(to, &v, sizeof v); }
 inline Lanes all(float value) { return Lanes{} + value; }
 
-// Of equal arguments either: the same as the instructions of processors.
-inline Lanes smaller(Lanes a, Lanes b) { return a < b ? a : b; }
-inline Lanes larger(Lanes a, Lanes b) { return a > b ? a : b; }
+// Written as instructions: a compiler that finds them itself takes two or three where one of the
+// arguments is a constant. Of equal arguments either.
+inline Lanes smaller(Lanes a, Lanes b) {
+#ifdef __AVX2__
+  return _mm256_min_ps(a, b);
+#elif defined(__SSE2__)
+  return _mm_min_ps(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+inline Lanes larger(Lanes a, Lanes b) {
+#ifdef __AVX2__
+  return _mm256_max_ps(a, b);
+#elif defined(__SSE2__)
+  return _mm_max_ps(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
+/// a where a condition holds, otherwise b.
+inline Lanes pick(LaneInts holds, Lanes a, Lanes b) {
+#ifdef __AVX2__
+  Lanes mask;
+  std::memcpy(&mask, &holds, sizeof mask);
+  return _mm256_blendv_ps(b, a, mask);
+#else
+  return holds ? a : b;
+#endif
+}
+
+/// Without its sign.
+inline Lanes size_of(Lanes v) { return larger(v, -v); }
+/// Its square with its sign.
+inline Lanes signed_square(Lanes v) { return v * size_of(v); }
 
 /// Square root, 0 of what is negative.
 inline Lanes root(Lanes squared) {
@@ -76,6 +109,32 @@ inline unsigned bits(LaneInts holds) {
   return of;
 #endif
 }
+
+/// The four of them that begin with number `first`, as doubles: to four places, and added to sums.
+template <int first>
+void add_doubles(Lanes v, double* to, FourDoubles& sums) {
+  const FourFloats four = __builtin_shufflevector(v, v, first, first + 1, first + 2, first + 3);
+#ifdef __AVX2__
+  const FourDoubles doubles = _mm256_cvtps_pd(four);
+#else
+  const FourDoubles doubles = __builtin_convertvector(four, FourDoubles);
+#endif
+  std::memcpy(to, &doubles, sizeof doubles);
+  sums += doubles;
+}
+
+inline float highest(Lanes of) {
+#ifdef __AVX2__
+  of = larger(of, __builtin_shufflevector(of, of, 4, 5, 6, 7, 0, 1, 2, 3));
+  of = larger(of, __builtin_shufflevector(of, of, 2, 3, 0, 1, 6, 7, 4, 5));
+  of = larger(of, __builtin_shufflevector(of, of, 1, 0, 3, 2, 5, 4, 7, 6));
+#else
+  of = larger(of, __builtin_shufflevector(of, of, 2, 3, 0, 1));
+  of = larger(of, __builtin_shufflevector(of, of, 1, 0, 3, 2));
+#endif
+  return of[0];
+}
+inline float lowest(Lanes of) { return -highest(-of); }
 
 /// Four doubles less an origin.
 inline FourFloats from_origin(const double* places, double origin) {

@@ -12,6 +12,7 @@ struct ReadySweep {
       : legs(legs_of(sweep.way, error_mm, begins)),
         tool(&body),
         tip(bounds(sweep.way)),
+        reached(reached_by_edges()),
         motion(sweep.motion),
         cuts(sweep.kind == SweepKind::cut && body.cuts) {}
 
@@ -20,9 +21,17 @@ struct ReadySweep {
 
   Legs legs;
   const FieldTool* tool;
-  Bounds tip;  ///< of the tip's way
+  Bounds tip;      ///< of the tip's way
+  Bounds reached;  ///< X and Y of the columns that its edges may lower
   std::uint32_t motion;
   bool cuts;  ///< its edges may meet material
+
+ private:
+  [[nodiscard]] Bounds reached_by_edges() const {
+    if (const auto* const straight = std::get_if<StraightLeg>(&legs))
+      return straight->reached(tool->edges());
+    return around(tip, tool->edges().reach());
+  }
 };
 
 }  // namespace kerf::stock::field

@@ -40,6 +40,9 @@ class RingLeg {
   void offsets(const BlockPoints& points, BlockValues& offsets) const;
   [[nodiscard]] double taken_by_core(double core, double x, double y, double height) const;
   [[nodiscard]] const Bounds& box() const { return box_; }
+  [[nodiscard]] Bounds reached(const LowerEnvelope& tool) const {
+    return around(box_, tool.reach());
+  }
 
  private:
   struct Flat {

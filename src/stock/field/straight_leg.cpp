@@ -74,9 +74,7 @@ StraightLeg::View StraightLeg::view(const LowerEnvelope& tool, double base, Half
            .half_across = narrow(half.x * abs_dy + half.y * abs_dx + safety),
            .lowest_z = narrow(z_ - base - safety)};
   sight.reach = narrow(tool.reach()) + sight.half_along;
-  const float steep2 = 1 + sight.slope * sight.slope;
-  sight.upright2 = 1 / steep2;
-  sight.lean2 = sight.slope * sight.slope / steep2;
+  sight.lean2 = sight.slope * sight.slope / (1 + sight.slope * sight.slope);
   if (const LowerEnvelope::Round* const round = tool.round()) {
     const float core = std::max(0.0F, narrow(round->core));
     view.floor_ = {.reach2 = narrow(tool.reach() * tool.reach() * (1 + 1e-6)),
@@ -122,6 +120,35 @@ Behind StraightLeg::behind_of(const LowerEnvelope& tool) const {
           .core = narrow(core),
           .lean = narrow(lean),
           .lean2 = narrow(lean * round->radius * round->radius)};
+}
+
+/// How far behind the beginning of the way columns may be that are not behind in the sense above.
+double StraightLeg::most_behind(const LowerEnvelope& tool) const {
+  if (begins_ == Begins::afresh || length_ == 0) return tool.reach();
+  if (!downwards_) return 0;
+  const LowerEnvelope::Round* round = tool.round();
+  if (round == nullptr) return tool.reach();
+  const double sine = slope_ / std::sqrt(1 + slope_ * slope_);
+  return std::max(0.0, round->core) + sine * round->radius;
+}
+
+/// A half of the tool at the beginning: in the direction a it reaches as far as all of it, unless
+/// that place is more than `most` behind; then its farthest one is where the chord ends that is so
+/// far behind. On the rest of the way it goes no farther.
+Bounds StraightLeg::reached(const LowerEnvelope& tool) const {
+  const double safety = bound_safety(length_ + tool.reach());
+  const double reach = tool.reach() + safety;
+  const double most = std::min(reach, most_behind(tool) + safety);
+  const double chord = std::sqrt(reach * reach - most * most);
+  const double sense = downwards_ ? -1 : 1;
+  const auto beyond = [&](double along, double across) {  // of a, to the way
+    return -reach * along <= most ? reach : chord * std::abs(across) - most * along;
+  };
+  const double x = sense * dx_;
+  const double y = sense * dy_;
+  const Vec3 low{x > 0 ? beyond(-x, y) : reach, y > 0 ? beyond(-y, x) : reach, 0};
+  const Vec3 high{x < 0 ? beyond(x, y) : reach, y < 0 ? beyond(y, x) : reach, 0};
+  return {box_.low - low, box_.high + high};
 }
 
 double StraightLeg::highest_tip(double reach, double x, double y) const {

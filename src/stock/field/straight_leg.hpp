@@ -65,6 +65,8 @@ class StraightLeg {
   [[nodiscard]] double taken_by_core(double core, double x, double y, double height) const;
 
   [[nodiscard]] const Bounds& box() const { return box_; }
+  /// Where columns may be lowered by this tool: within its reach, and not behind. X and Y alone.
+  [[nodiscard]] Bounds reached(const LowerEnvelope& tool) const;
 
  private:
   struct Place {
@@ -74,6 +76,7 @@ class StraightLeg {
   struct Offsets;
   [[nodiscard]] Place place(double x, double y) const;
   [[nodiscard]] Behind behind_of(const LowerEnvelope& tool) const;
+  [[nodiscard]] double most_behind(const LowerEnvelope& tool) const;
 
   double x_ = 0, y_ = 0, z_ = 0;  // the lower end
   double dx_ = 1, dy_ = 0;        // unit, seen from above, upwards

@@ -3,44 +3,51 @@
 #include <algorithm>
 
 namespace kerf::stock::field {
-namespace {
-
-double highest_of(const BlockValues& all) {
-  return static_cast<double>(*std::max_element(all.begin(), all.end()));
-}
-double lowest_of(const BlockValues& all) {
-  return static_cast<double>(*std::min_element(all.begin(), all.end()));
-}
-
-}  // namespace
 
 void Tally::begin(const FieldTool& tool) {
-  sides_.bins_per_mm =
+  taken_.bins_per_mm =
       tool.edge_reach > 0 ? static_cast<float>(Outcome::kBins / (2 * tool.edge_reach)) : 0.0F;
-  sides_.reach = static_cast<float>(tool.edge_reach);
+  taken_.reach = static_cast<float>(tool.edge_reach);
 }
 
 void Tally::meet(ToolPart part, Vec3 at, double depth) {
   Met& met = met_[index(part)];
   met.deepest.add({depth, at, Exact()});
   met.depths += depth;
+  has_met_ = true;
 }
 
 void Tally::take_to(Outcome& outcome, double cell_mm2) {
-  outcome.removed += Exact(removed_ * cell_mm2);
+  outcome.removed += Exact(removed() * cell_mm2);
   outcome.core += Exact(core_ * cell_mm2);
   outcome.visited += visited_;
-  const double left = highest_of(sides_.left);
-  const double right = lowest_of(sides_.right);
-  if (right <= left) {
-    outcome.aside.add({right, left});
-    outcome.heights.add({lowest_of(sides_.lowest), highest_of(sides_.highest)});
-  }
-  for (std::uint64_t bins = bins_; bins != 0; bins &= bins - 1) {
-    const auto bin = static_cast<std::size_t>(std::countr_zero(bins));
-    outcome.across[bin] += Exact(across_[bin] * cell_mm2);
-    across_[bin] = 0;
-  }
+  if (taken_.right <= taken_.left) take_sides(outcome, cell_mm2);
+  if (has_met_) take_contacts(outcome, cell_mm2);
+  taken_.heights = {};
+  core_ = 0;
+  visited_ = 0;
+}
+
+// From the bin of the one side to that of the other; all of them would take as long as what has
+// been added.
+void Tally::take_sides(Outcome& outcome, double cell_mm2) {
+  outcome.aside.add({static_cast<double>(taken_.right), static_cast<double>(taken_.left)});
+  outcome.heights.add({static_cast<double>(taken_.lowest), static_cast<double>(taken_.highest)});
+  const auto bin = [&](float offset) {
+    return static_cast<std::size_t>(
+        std::clamp(taken_.place_of(offset), 0.0F, Outcome::kBins - 1.0F));
+  };
+  const std::size_t first = bin(taken_.right);
+  const std::size_t end = bin(taken_.left) + 1;
+  auto& [all, others] = taken_.across;
+  for (std::size_t i = first; i < end; ++i) all[i] += others[i];
+  Exact::add({&all[first], end - first}, cell_mm2, removed(), &outcome.across[first]);
+  for (auto& part : taken_.across) std::fill(&part[first], &part[end], 0.0);
+  taken_.left = taken_.highest = -kNowhere;
+  taken_.right = taken_.lowest = kNowhere;
+}
+
+void Tally::take_contacts(Outcome& outcome, double cell_mm2) {
   for (std::size_t i = 0; i < kToolParts; ++i) {
     Contact met = met_[i].deepest;
     if (!met.is_one()) continue;
@@ -48,10 +55,7 @@ void Tally::take_to(Outcome& outcome, double cell_mm2) {
     outcome.contacts[i].add(met);
     met_[i] = {};
   }
-  // What is not 0 any more; all of it would take as long as what has been added.
-  sides_ = no_sides();
-  removed_ = core_ = 0;
-  visited_ = bins_ = 0;
+  has_met_ = false;
 }
 
 }  // namespace kerf::stock::field

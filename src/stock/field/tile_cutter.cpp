@@ -54,7 +54,7 @@ bool TileCutter::guard(const ReadySweep& sweep, ToolPart part, Blocks& met) {
   if (sweep.tip.low.z + body.lowest() - base_ >= columns_.top_of(index_)) return false;
   bool any = false;
   for_each_leg(sweep.legs, [&](const auto& leg) {
-    for_blocks(leg.view(body, base_, half_), leg.box(), body.reach(), [&](int block) {
+    for_blocks(leg.view(body, base_, half_), around(leg.box(), body.reach()), [&](int block) {
       met[static_cast<std::size_t>(block / kTileBlocks)] |=
           static_cast<std::uint16_t>(1U << (block % kTileBlocks));
       any = true;
@@ -65,12 +65,10 @@ bool TileCutter::guard(const ReadySweep& sweep, ToolPart part, Blocks& met) {
 
 /// Calls with each block that the leg may lower, or meet.
 template <class Do>
-void TileCutter::for_blocks(const auto& view, const Bounds& box, double reach, const Do& act) {
+void TileCutter::for_blocks(const auto& view, const Bounds& reached, const Do& act) {
   const Grid& grid = columns_.grid();
-  const Range across =
-      range(box.low.x - reach, box.high.x + reach, tile_.x[0], kBlockSide * grid.cell_x());
-  const Range rows =
-      range(box.low.y - reach, box.high.y + reach, tile_.y[0], kBlockSide * grid.cell_y());
+  const Range across = range(reached.low.x, reached.high.x, tile_.x[0], kBlockSide * grid.cell_x());
+  const Range rows = range(reached.low.y, reached.high.y, tile_.y[0], kBlockSide * grid.cell_y());
   if (across.first > across.last || rows.first > rows.last) return;
   const BlockGrid blocks{.x = block_x_.data(),
                          .y = block_y_.data(),
@@ -91,8 +89,9 @@ void TileCutter::for_blocks(const auto& view, const Bounds& box, double reach, c
 }
 
 TileCutter::Range TileCutter::range(double low, double high, double first, double size) const {
+  // As rounding down: what is less than 0 becomes -1.
   const auto block = [&](double at) {
-    return static_cast<int>(std::clamp(std::floor((at - first) / size), -1.0, kTileBlocks + 0.0));
+    return static_cast<int>(std::clamp((at - first) / size + 1, 0.0, kTileBlocks + 1.0)) - 1;
   };
   // The columns of a block lie within 3/4 of its size from the first one.
   return {std::max(0, block(low)), std::min(kTileBlocks - 1, block(high))};
@@ -103,7 +102,9 @@ void TileCutter::cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& 
   const auto view = leg.view(edges, base_, half_);
   std::array<int, kBlocksAtOnce> blocks;
   std::size_t count = 0;
-  for_blocks(view, leg.box(), edges.reach(), [&](int block) {
+  const bool is_all = !std::holds_alternative<std::vector<StraightLeg>>(sweep.legs);
+  const Bounds reached = is_all ? sweep.reached : leg.reached(edges);
+  for_blocks(view, reached, [&](int block) {
     if (is_in(met, block)) return;
     blocks[count++] = block;
     if (count < kBlocksAtOnce) return;
@@ -125,14 +126,8 @@ void TileCutter::cut_blocks(std::span<const int> blocks, const auto& leg, const 
   std::array<std::size_t, kBlocksAtOnce + 1> lowered;
   const std::size_t count = view.look(tile_, blocks, looks.data(), lowered.data());
   tally.visit(blocks.size() * kBlockCells);
-  for (std::size_t k = 0; k < count; ++k)
-    take_down(blocks[lowered[k]], looks[lowered[k]], sweep.motion, tally);
-}
-
-void TileCutter::take_down(int block, const Look& look, std::uint32_t motion, Tally& tally) {
-  Lowered lowered;
-  lane_work().settle(look, motion, tile_, block, tally.sides(), lowered);
-  tally.remove(lowered);
+  lane_work().settle(tile_, sweep.motion, blocks, looks.data(), {lowered.data(), count},
+                     tally.taken());
 }
 
 TileCutter::Material TileCutter::material(int block) const {
@@ -187,7 +182,8 @@ void TileCutter::settle(const ReadySweep& sweep, int block, Tally& tally) {
     }
     look.low[i] = static_cast<float>(lowest);
   }
-  take_down(block, look, sweep.motion, tally);
+  constexpr std::size_t kThis = 0;
+  lane_work().settle(tile_, sweep.motion, {&block, 1}, &look, {&kThis, 1}, tally.taken());
 }
 
 }  // namespace kerf::stock::field

@@ -37,7 +37,7 @@ class TileCutter {
     return (row >> (block % kTileBlocks) & 1U) != 0;
   }
   template <class Do>
-  void for_blocks(const auto& view, const Bounds& box, double reach, const Do& act);
+  void for_blocks(const auto& view, const Bounds& reached, const Do& act);
   bool guard(const ReadySweep& sweep, ToolPart part, Blocks& met);
   void cut_by(const auto& leg, const ReadySweep& sweep, const Blocks& met, Tally& tally);
   void cut_blocks(std::span<const int> blocks, const auto& leg, const auto& view,
@@ -47,7 +47,6 @@ class TileCutter {
   void settle_core(const ReadySweep& sweep, const BlockPoints& at, Material material,
                    Tally& tally) const;
   void settle(const ReadySweep& sweep, int block, Tally& tally);
-  void take_down(int block, const Look& look, std::uint32_t motion, Tally& tally);
   [[nodiscard]] Range range(double low, double high, double first, double size) const;
   [[nodiscard]] Material material(int block) const;
   [[nodiscard]] float bottom(std::size_t cell) const {

@@ -17,16 +17,23 @@ int tile_of(double at, double low, double cell, int tiles) {
   return static_cast<int>(std::clamp(tile, -1.0, static_cast<double>(tiles)));
 }
 
-/// How far from its tip a tool may do something: beyond the edges only where another part comes
-/// down to the stock.
-double reach_of(const ReadySweep& sweep, double stock_top) {
-  double reach = sweep.tool->edge_reach;
-  for (const FieldTool::Part& part : sweep.tool->parts) {
-    if (sweep.tip.low.z + part.whole.lowest() < stock_top) {
-      reach = std::max(reach, part.whole.reach());
-    }
+void add(Bounds& to, const Bounds& other) {
+  to.low.x = std::min(to.low.x, other.low.x);
+  to.low.y = std::min(to.low.y, other.low.y);
+  to.high.x = std::max(to.high.x, other.high.x);
+  to.high.y = std::max(to.high.y, other.high.y);
+}
+
+/// Where a tool may do something: beyond what its edges lower only where a part that may not meet
+/// material comes down to the stock.
+Bounds reached_by(const ReadySweep& sweep, double stock_top) {
+  Bounds all = sweep.reached;
+  for (std::size_t i = 0; i < kToolParts; ++i) {
+    const LowerEnvelope& body = sweep.tool->parts[i].whole;
+    if (!sweep.guards(static_cast<ToolPart>(i)) || body.is_empty()) continue;
+    if (sweep.tip.low.z + body.lowest() < stock_top) add(all, around(sweep.tip, body.reach()));
   }
-  return reach;
+  return all;
 }
 
 }  // namespace
@@ -49,20 +56,17 @@ void TileWork::list(std::uint32_t number) {
   const Grid& grid = columns_.grid();
   const Bounds& box = grid.box;
   if (sweep.tip.low.z >= box.high.z) return;
-  const double reach = reach_of(sweep, box.high.z);
-  const int i0 =
-      std::max(0, tile_of(sweep.tip.low.x - reach, box.low.x, grid.cell_x(), grid.tiles_x()));
-  const int j0 =
-      std::max(0, tile_of(sweep.tip.low.y - reach, box.low.y, grid.cell_y(), grid.tiles_y()));
-  const int i1 = tile_of(sweep.tip.high.x + reach, box.low.x, grid.cell_x(), grid.tiles_x());
-  const int j1 = tile_of(sweep.tip.high.y + reach, box.low.y, grid.cell_y(), grid.tiles_y());
+  const Bounds reached = reached_by(sweep, box.high.z);
+  const int i0 = std::max(0, tile_of(reached.low.x, box.low.x, grid.cell_x(), grid.tiles_x()));
+  const int j0 = std::max(0, tile_of(reached.low.y, box.low.y, grid.cell_y(), grid.tiles_y()));
+  const int i1 = tile_of(reached.high.x, box.low.x, grid.cell_x(), grid.tiles_x());
+  const int j1 = tile_of(reached.high.y, box.low.y, grid.cell_y(), grid.tiles_y());
   for (int j = j0; j <= std::min(j1, grid.tiles_y() - 1); ++j) {
     for (int i = i0; i <= std::min(i1, grid.tiles_x() - 1); ++i) {
       list_at(static_cast<std::size_t>(j * grid.tiles_x() + i), number);
     }
   }
-  columns_met_ += (sweep.tip.high.x - sweep.tip.low.x + 2 * reach) *
-                  (sweep.tip.high.y - sweep.tip.low.y + 2 * reach) /
+  columns_met_ += (reached.high.x - reached.low.x) * (reached.high.y - reached.low.y) /
                   (grid.cell_x() * grid.cell_y());
 }
 
@@ -72,8 +76,9 @@ void TileWork::list_at(std::size_t tile, std::uint32_t number) {
 }
 
 void TileWork::share() {
-  base::each_by_threads(busy_.size(), columns_met_ < kWorthThreads ? 1 : jobs_,
-                        [&](std::size_t i) { work_on(busy_[i]); });
+  base::each_by_threads(
+      busy_.size(), columns_met_ < kWorthThreads ? 1 : jobs_,
+      [&](std::size_t i) { work_on(busy_[i]); }, helper_);
 }
 
 void TileWork::work_on(std::size_t tile) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/helper.hpp"
 #include "stock/field/columns.hpp"
 #include "stock/field/ready_sweep.hpp"
 #include "stock/sweep/outcome.hpp"
@@ -18,6 +19,7 @@ class TileWork {
  public:
   TileWork(Columns& columns, unsigned jobs);
 
+  void use(base::Helper* helper) { helper_ = helper; }
   /// All sweeps; what sweep i did is added to outcomes[i].
   void run(std::span<const ReadySweep> sweeps, std::span<Outcome> outcomes);
 
@@ -29,6 +31,7 @@ class TileWork {
 
   Columns& columns_;
   unsigned jobs_;
+  base::Helper* helper_ = nullptr;
   std::vector<std::vector<std::uint32_t>> of_tile_;  // numbers of sweeps
   std::vector<std::size_t> busy_;                    // tiles that have any
   double columns_met_ = 0;

@@ -2,6 +2,8 @@
 
 namespace kerf::stock {
 
+void Model::use(base::Helper* /*helper*/) {}
+
 Stretch Model::material_on(const StraightWay& /*line*/) const { return {}; }
 
 std::vector<Piece> Model::pieces() const {

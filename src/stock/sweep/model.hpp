@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/helper.hpp"
 #include "base/interface.hpp"
 #include "stock/sweep/ball_way.hpp"
 #include "stock/sweep/body.hpp"
@@ -28,6 +29,8 @@ class Model : public base::Interface {
   /// Cuts them in their order; adds what sweep i did to outcomes[i]. Precondition: can_cut() each;
   /// both spans have the same size.
   virtual void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) = 0;
+  /// cut() leaves parts of its work to this one, until it is told nullptr: nobody waits.
+  virtual void use(base::Helper* helper);
 
   /// Where a probe stops (stock.md §5, G31): the first t in [0, 1] at which its ball touches
   /// material, 0 where it begins in it; nullopt: nowhere. What it leaves does not stop it

@@ -1,6 +1,7 @@
 #include "stock/sweep/outcome.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 
@@ -10,11 +11,12 @@ namespace {
 constexpr double kPart = 4294967296.0;  // of a unit
 constexpr double kMost = 2147483647.0;  // units
 
-/// As std::nearbyint(), which not every processor has an instruction for: what is small enough has
-/// no digits below 1 when it is added to this.
+// What is small enough has no digits below 1 when it is added to this.
+constexpr double kShift = 6755399441055744.0;  // 1.5 · 2⁵²
+constexpr double kSmall = 2251799813685248.0;  // 2⁵¹
+
+/// As std::nearbyint(), which not every processor has an instruction for.
 double nearest(double value) {
-  constexpr double kShift = 6755399441055744.0;  // 1.5 · 2⁵²
-  constexpr double kSmall = 2251799813685248.0;  // 2⁵¹
   return std::fabs(value) < kSmall ? (value + kShift) - kShift : std::nearbyint(value);
 }
 
@@ -25,6 +27,17 @@ bool comes_first(Vec3 a, Vec3 b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x
 
 Exact::Exact(double value)
     : parts_(static_cast<std::int64_t>(nearest(std::clamp(value, -kMost, kMost) * kPart))) {}
+
+// The digits of a small one stand in those of the sum: no conversion, and several at once.
+void Exact::add(std::span<const double> values, double times, double most, Exact* sums) {
+  if (times * most * kPart < kSmall) {
+    constexpr auto kZero = std::bit_cast<std::int64_t>(kShift);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      sums[i].parts_ += std::bit_cast<std::int64_t>(times * values[i] * kPart + kShift) - kZero;
+  } else {
+    for (std::size_t i = 0; i < values.size(); ++i) sums[i] += Exact(times * values[i]);
+  }
+}
 
 double Exact::value() const { return static_cast<double>(parts_) / kPart; }
 

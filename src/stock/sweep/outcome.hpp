@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "stock/sweep/stretch.hpp"
 #include "stock/sweep/sweep.hpp"
@@ -21,6 +22,8 @@ class Exact {
     parts_ += other.parts_;
     return *this;
   }
+  /// sums[i] += Exact(times * values[i]). Precondition: no value is larger than `most`, none < 0.
+  static void add(std::span<const double> values, double times, double most, Exact* sums);
   friend constexpr bool operator==(Exact, Exact) = default;
   friend constexpr auto operator<=>(Exact, Exact) = default;
 

@@ -30,6 +30,7 @@ class TurnMillPart final : public Model {
   /// Of a turned sweep what TurnedPart can, else what has a profile.
   [[nodiscard]] bool can_cut(const Sweep& sweep) const override;
   void cut(std::span<const Sweep> sweeps, std::span<Outcome> outcomes) override;
+  void use(base::Helper* helper) override { dexels_.use(helper); }
   [[nodiscard]] std::optional<double> first_touch(const BallWay& ball) const override;
   [[nodiscard]] Stretch material_on(const StraightWay& line) const override {
     return is_abreast_ ? dexels_.material_on(line) : profile_.material_on(line);

@@ -108,6 +108,11 @@ class Toolpath {
   /// G40: with the move of this block, or with the next one when it has none.
   void end_compensation(std::optional<geometry::Vec2> wall);
   [[nodiscard]] bool compensating() const { return compensation_.active(); }
+  /// What the path is compensated for; nothing: the tool goes where it is programmed.
+  [[nodiscard]] std::optional<Cutter> cutter() const {
+    const bool acts = compensation_.active() && !compensation_.starting();
+    return acts ? std::optional(compensation_.cutter()) : std::nullopt;
+  }
   /// Whether the next move is compensated for this cutter.
   [[nodiscard]] bool compensates(const Cutter& cutter) const {
     return compensation_.active() && compensation_.cutter() == cutter;

@@ -5,7 +5,7 @@
 
 #include "base/decimal.hpp"
 #include "features/path/tolerance.hpp"
-#include "features/plan/internal/corner_moves.hpp"
+#include "features/plan/internal/followed_visit.hpp"
 #include "features/plan/internal/layer_rules.hpp"
 #include "features/rewrite/regenerate.hpp"
 #include "geometry/contour/sweep.hpp"
@@ -98,7 +98,7 @@ class FeatureMaker {
     const LayerContours& contours = rules_.contours(layer);
     if (its_.compensated != Compensation::none) {
       if (!rules_.is_other(layer)) return as_they_are(layer);
-      return vertices_followed(scene_, feature_, layer, contours);
+      return contour_followed(scene_, feature_, layer, contours);
     }
     const double radius = wish_.tool ? scene_.recording.diameter_of(*wish_.tool) / 2 : 0;
     const auto given = wish_.centre_lines.find(layer);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -16,6 +16,13 @@ namespace {
 
 constexpr double kCell = 0.1;
 constexpr double kHalf = 1.5 * kCell;
+
+/// Of columns that are lower than before, mm.
+struct Lowered {
+  double removed = 0;
+  float highest = -kNowhere;
+  float lowest = kNowhere;
+};
 
 /// A tile of random heights, with bottoms that are not all 0.
 class RandomTile {
@@ -43,6 +50,32 @@ class RandomTile {
   [[nodiscard]] BlockGrid blocks() const {
     return {.x = middles_.data(), .y = rows_.data(), .tops = tops_.data(), .half = {kHalf, kHalf}};
   }
+  /// How much lower another one is.
+  [[nodiscard]] Lowered lowered_to(const RandomTile& other) const {
+    Lowered of;
+    for (std::size_t i = 0; i < kTileCells; ++i) {
+      const float before = heights_[i];
+      const float after = other.heights_[i];
+      if (!(after < before)) continue;
+      of.removed += static_cast<double>(before - after);
+      of.highest = std::max(of.highest, before);
+      of.lowest = std::min(of.lowest, after);
+    }
+    return of;
+  }
+  /// All columns in which another one differs are in a box, seen from above.
+  [[nodiscard]] bool differs_only_in(const Bounds& box, const RandomTile& other) const {
+    for (int block = 0; block < kTileBlocks * kTileBlocks; ++block) {
+      for (int i = 0; i < kBlockCells; ++i) {
+        const auto column = static_cast<std::size_t>(block * kBlockCells + i);
+        const double x = kCell * (block % kTileBlocks * kBlockSide + i % kBlockSide);
+        const double y = kCell * (block / kTileBlocks * kBlockSide + i / kBlockSide);
+        const bool is_in = x >= box.low.x && x <= box.high.x && y >= box.low.y && y <= box.high.y;
+        if (!is_in && heights_[column] != other.heights_[column]) return false;
+      }
+    }
+    return true;
+  }
   [[nodiscard]] bool is(const RandomTile& other) const {
     return heights_ == other.heights_ && owners_ == other.owners_ && tops_ == other.tops_;
   }
@@ -61,8 +94,7 @@ class RandomTile {
 struct Done {
   BlockMasks met{};
   std::vector<std::size_t> lowered;
-  Sides sides = no_sides();
-  std::vector<Lowered> columns;
+  Taken taken;
 };
 
 Done work(const LaneWork& lanes, const StraightLeg& leg, const LowerEnvelope& tool,
@@ -70,41 +102,40 @@ Done work(const LaneWork& lanes, const StraightLeg& leg, const LowerEnvelope& to
   const StraightLeg::View view = leg.view(tool, 0, {kHalf, kHalf}, lanes);
   const Columns::Tile tile = material.tile();
   Done done;
-  done.sides.bins_per_mm = 8;
-  done.sides.reach = 4;
+  done.taken.bins_per_mm = 8;
+  done.taken.reach = 4;
   view.meets(material.blocks(), done.met);
   std::vector<int> blocks;
   for (int block = 0; block < kTileBlocks * kTileBlocks; ++block) blocks.push_back(block);
   std::vector<Look> looks(blocks.size());
   done.lowered.resize(blocks.size() + 1);
   done.lowered.resize(view.look(tile, blocks, looks.data(), done.lowered.data()));
-  for (const std::size_t i : done.lowered) {
-    Lowered lowered;
-    lanes.settle(looks[i], 5, tile, blocks[i], done.sides, lowered);
-    done.columns.push_back(lowered);
-  }
+  lanes.settle(tile, 5, blocks, looks.data(), done.lowered, done.taken);
   return done;
 }
 
 void expect_same(const Done& a, const Done& b) {
   EXPECT_EQ(a.met, b.met);
   EXPECT_EQ(a.lowered, b.lowered);
-  EXPECT_EQ(a.sides.left, b.sides.left);
-  EXPECT_EQ(a.sides.right, b.sides.right);
-  EXPECT_EQ(a.sides.highest, b.sides.highest);
-  EXPECT_EQ(a.sides.lowest, b.sides.lowest);
-  ASSERT_EQ(a.columns.size(), b.columns.size());
-  for (std::size_t i = 0; i < a.columns.size(); ++i) {
-    const Lowered& one = a.columns[i];
-    const Lowered& other = b.columns[i];
-    ASSERT_EQ(one.columns, other.columns);
-    ASSERT_EQ(one.sided, other.sided);
-    for (unsigned left = one.columns; left != 0; left &= left - 1) {
-      const auto column = static_cast<std::size_t>(std::countr_zero(left));
-      ASSERT_EQ(one.by[column], other.by[column]);
-      ASSERT_EQ(one.bins[column], other.bins[column]);
-    }
-  }
+  EXPECT_EQ(a.taken.left, b.taken.left);
+  EXPECT_EQ(a.taken.right, b.taken.right);
+  EXPECT_EQ(a.taken.highest, b.taken.highest);
+  EXPECT_EQ(a.taken.lowest, b.taken.lowest);
+  EXPECT_EQ(a.taken.heights, b.taken.heights);
+  EXPECT_EQ(a.taken.across, b.taken.across);
+}
+
+/// Sums, sides and bins, column by column, of what was there before and after.
+void expect_sums(const Done& done, const Lowered& of) {
+  double heights = 0;
+  double across = 0;
+  for (const double part : done.taken.heights) heights += part;
+  for (const auto& part : done.taken.across)
+    across = std::accumulate(part.begin(), part.end(), across);
+  EXPECT_NEAR(heights, of.removed, 1e-9 * (1 + of.removed));
+  EXPECT_NEAR(across, of.removed, 1e-9 * (1 + of.removed));
+  EXPECT_EQ(done.taken.highest, of.highest);
+  EXPECT_EQ(done.taken.lowest, of.lowest);
 }
 
 /// The blocks that were told to be met hold all those that were lowered.
@@ -144,6 +175,8 @@ TEST_P(LaneWorks, AgreeToTheLastBit) {
     RandomTile narrow = tile;
     const Done first = work(*lane_works().front(), leg, tool.edges(), narrow);
     expect_none_missed(first);
+    expect_sums(first, tile.lowered_to(narrow));
+    EXPECT_TRUE(tile.differs_only_in(leg.reached(tool.edges()), narrow)) << i;
     lowered += first.lowered.size();
     for (const LaneWork* const wider : lane_works().subspan(1)) {
       RandomTile wide = tile;

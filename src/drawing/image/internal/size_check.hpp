@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "drawing/image/picture.hpp"
+
+namespace kerf::drawing {
+
+/// Why a picture of this size is not read.
+[[nodiscard]] std::optional<std::string> objection_to_size(std::uint64_t width,
+                                                           std::uint64_t height);
+
+[[nodiscard]] inline tl::unexpected<base::Failure> bad_picture(std::string sentence) {
+  return tl::unexpected(base::Failure{base::Failure::Kind::input, std::move(sentence)});
+}
+
+}  // namespace kerf::drawing

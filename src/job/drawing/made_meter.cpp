@@ -1,0 +1,156 @@
+#include "job/drawing/made_meter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/arc.hpp"
+#include "motion/feed.hpp"
+#include "motion/motion_extent.hpp"
+#include "motion/space_arc_path.hpp"
+
+namespace kerf::job {
+namespace {
+
+using motion::Motion;
+
+double distance(const motion::AxisSetup& axes, const base::TipPoint& from,
+                const base::TipPoint& to) {
+  double square = 0;
+  for (const char letter : {'X', 'Y', 'Z'}) {
+    const auto axis = axes.find(letter);
+    if (!axis) continue;
+    const double way = to[*axis] - from[*axis];
+    square += way * way;
+  }
+  return std::sqrt(square);
+}
+
+double way_of(const motion::AxisSetup& axes, const base::TipPoint& from, const Motion& motion) {
+  if (const auto* arc = std::get_if<motion::Arc>(&motion.action)) {
+    const base::Axis x = *axes.find('X');
+    const base::Axis y = *axes.find('Y');
+    return geometry::arc_length({from[x], from[y]}, {arc->to[x], arc->to[y]},
+                                {arc->center[0], arc->center[1]},
+                                arc->direction == motion::Direction::clockwise, arc->turns, 0);
+  }
+  if (const auto* arc = std::get_if<motion::SpaceArc>(&motion.action)) {
+    const motion::SpaceArcPath path(axes, from, *arc);
+    return path.circle().radius() * path.circle().sweep_rad();
+  }
+  return distance(axes, from, *motion::target_of(motion));
+}
+
+double feed_of(const Motion& motion) {
+  if (const auto* line = std::get_if<motion::Line>(&motion.action)) return line->feed.value;
+  if (const auto* arc = std::get_if<motion::Arc>(&motion.action)) return arc->feed.value;
+  if (const auto* arc = std::get_if<motion::SpaceArc>(&motion.action)) return arc->feed.value;
+  return 0;
+}
+
+void add(const output::Made& more, output::Made& sum) {
+  sum.beam_mm += more.beam_mm;
+  sum.travel_mm += more.travel_mm;
+  sum.overscan_mm += more.overscan_mm;
+  sum.beam_s += more.beam_s;
+  sum.time_s += more.time_s;
+  sum.energy_j += more.energy_j;
+  sum.pierces += more.pierces;
+  if (!more.has_extents) return;
+  for (std::size_t i = 0; i < base::kMaxAxes; ++i) {
+    const base::Axis axis{static_cast<std::uint8_t>(i)};
+    sum.low[axis] = sum.has_extents ? std::min(sum.low[axis], more.low[axis]) : more.low[axis];
+    sum.high[axis] = sum.has_extents ? std::max(sum.high[axis], more.high[axis]) : more.high[axis];
+  }
+  sum.has_extents = true;
+}
+
+}  // namespace
+
+MadeMeter::MadeMeter(const process::Plan& plan, const drawing::Drawing& drawing)
+    : plan_(plan),
+      reader_(plan, drawing),
+      at_(plan.machine.axes.start),
+      by_operation_(std::max<std::size_t>(1, plan.operations.size())) {}
+
+/// Which operation the next motion is of.
+void MadeMeter::follow_plan() {
+  while (true) {
+    if (next_step_ >= steps_.size()) {
+      steps_.clear();
+      next_step_ = 0;
+      if (!reader_.next(steps_)) return;
+      continue;
+    }
+    const process::Step& step = steps_[next_step_++];
+    if (std::holds_alternative<Motion>(step)) return;
+    operation_ = std::get<process::PassBegins>(step).operation;
+  }
+}
+
+void MadeMeter::reach(const Motion& motion, output::Made& made) const {
+  motion::MotionExtent extent = motion::extent_of(plan_.machine.axes, at_, motion);
+  extent.reach(at_);
+  output::Made more;
+  more.low = extent.low;
+  more.high = extent.high;
+  more.has_extents = true;
+  add(more, made);
+}
+
+void MadeMeter::measure_move(const Motion& motion, output::Made& made) {
+  const motion::AxisSetup& axes = plan_.machine.axes;
+  const double way = way_of(axes, at_, motion);
+  const double beam_percent = power_.beam_percent();
+  const bool cuts = beam_percent > 0 || !plan_.machine.has_beam || plan_.machine.makes_patterns;
+  if (std::holds_alternative<motion::Rapid>(motion.action)) {
+    made.travel_mm += way;
+  } else if (cuts) {
+    made.beam_mm += way;
+    reach(motion, made);
+    if (power_.follows_speed) {
+      const double speed = feed_of(motion) / motion::kSecondsPerMinute;
+      made.energy_j += plan_.machine.max_power_w * beam_percent / 100 * way / speed;
+    }
+  } else {
+    made.overscan_mm += way;
+  }
+  at_ = *motion::target_of(motion);
+}
+
+void MadeMeter::take(const Motion& motion) {
+  follow_plan();
+  ++taken_;
+  output::Made& made = by_operation_[operation_];
+  if (const auto* power = std::get_if<motion::Power>(&motion.action)) power_ = *power;
+  const bool is_lit = power_.beam_percent() > 0;
+  const bool rests = std::holds_alternative<motion::Dwell>(motion.action);
+  if (rests && is_lit) ++made.pierces;
+  const bool moves = motion::target_of(motion) != nullptr;
+  if (moves) measure_move(motion, made);
+  if (!moves && !rests) return;
+  const double watts = plan_.machine.max_power_w * power_.beam_percent() / 100;
+  const std::scoped_lock locked(lock_);
+  pending_.push_back({taken_, operation_, power_.follows_speed && !rests ? 0 : watts, is_lit});
+}
+
+void MadeMeter::motion_ends(std::uint64_t motion, double time_s) {
+  const std::scoped_lock locked(lock_);
+  while (!pending_.empty() && pending_.front().number < motion) pending_.pop_front();
+  if (pending_.empty() || pending_.front().number != motion) return;
+  const Pending& done = pending_.front();
+  output::Made& made = by_operation_[done.operation];
+  const double lasted = time_s - last_s_;
+  made.time_s += lasted;
+  if (done.has_beam) made.beam_s += lasted;
+  made.energy_j += done.power_w * lasted;
+  last_s_ = time_s;
+  pending_.pop_front();
+}
+
+output::Made MadeMeter::all() const {
+  output::Made sum;
+  for (const output::Made& made : by_operation_) add(made, sum);
+  return sum;
+}
+
+}  // namespace kerf::job

@@ -1,0 +1,8 @@
+// Any bytes as contours in JSON: sentences with a place, and a drawing whose numbers are sound.
+#include "drawing/contours/contours_reader.hpp"
+#include "drawing_checks.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  kerf::fuzz::read(kerf::drawing::read_contours, data, size);
+  return 0;
+}

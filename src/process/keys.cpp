@@ -5,7 +5,6 @@
 #include <type_traits>
 
 #include "base/decimal.hpp"
-#include "process/settled.hpp"
 
 namespace kerf::process {
 
@@ -160,7 +159,8 @@ constexpr std::string_view kTitles[] = {
     "[[text.line]]", "[image]", "[wrap]",  "[lens]",       "[[operation]]",
     "a lead",        "tabs",    "weave",   "[[material]]", "a process of a material"};
 
-constexpr std::array kProcesses = {engrave, mark, cut, fill, raster, weld, heat, drill};
+constexpr std::array<std::string_view, 8> kProcesses = {"engrave", "mark", "cut",  "fill",
+                                                        "raster",  "weld", "heat", "drill"};
 
 std::string numbers_in_words(const Takes& takes, std::string_view what) {
   const std::string high = base::number_text(takes.high);
@@ -243,10 +243,12 @@ KeyTable table_inside(const JobKey& key) {
   return key.name == "weave" ? KeyTable::weave : KeyTable::lead;
 }
 
+std::string_view name_of(Process process) { return kProcesses[static_cast<std::size_t>(process)]; }
+
 std::string names_of(Processes processes) {
   std::vector<std::string_view> names;
-  for (const Process process : kProcesses) {
-    if ((processes & only(process)) != 0) names.push_back(name_of(process));
+  for (std::size_t i = 0; i < kProcesses.size(); ++i) {
+    if ((processes >> i & 1U) != 0) names.push_back(kProcesses[i]);
   }
   return key_rows::listed(names);
 }

@@ -109,6 +109,7 @@ void say(const JobKey& key, const KeyOwner& owner, const KeyValue& value);
 /// The table of the keys of `key`, which takes one.
 [[nodiscard]] KeyTable table_inside(const JobKey& key);
 
+[[nodiscard]] std::string_view name_of(Process process);
 /// "cut", "fill, raster or heat"
 [[nodiscard]] std::string names_of(Processes processes);
 

@@ -192,7 +192,7 @@ class Planner {
     if (!needs_beam || (plan_.machine.has_beam && !plan_.machine.makes_patterns)) return false;
     find(base::Severity::error, base::Code::process_machine, {},
          fmt::format("operation '{}': {} needs a beam whose power can be set, {} has none",
-                     operation.name, name_of(operation.process), plan_.machine.name));
+                     operation.name, word_of(operation.process), plan_.machine.name));
     return true;
   }
 

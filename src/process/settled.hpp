@@ -26,7 +26,7 @@ struct Settled {
 };
 
 /// "engrave"
-[[nodiscard]] inline std::string name_of(Process process) { return names_of(only(process)); }
+[[nodiscard]] inline std::string word_of(Process process) { return names_of(only(process)); }
 
 [[nodiscard]] Settled settle(const Operation& operation, const MachineFacts& machine);
 

@@ -1,5 +1,6 @@
 // Any bytes as a job file: sentences with a place in it, or a recipe in which nothing contradicts
-// itself. Its lines as KEY=VALUE of --job-set: a sentence and no change, or another recipe.
+// itself. Its lines as KEY=VALUE of --job-set: a sentence and no change, or another recipe. The
+// same bytes as a file of materials, which fill operations, and as words of a text.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "process/job_texts.hpp"
+#include "process/materials.hpp"
 #include "process/recipe_file.hpp"
 
 namespace {
@@ -60,12 +63,43 @@ void check_setting(process::Recipe& recipe, std::string_view line) {
     require(!each.name.empty() && !each.layers.empty() && each.passes > 0);
 }
 
+void check_materials(const std::string& text) {
+  process::MachineFacts machine;
+  machine.max_power_w = 60;
+  const auto materials = process::read_materials(text, "materials.toml", kFile);
+  if (!materials) {
+    for (const base::Diagnostic& each : materials.error()) {
+      check_sentence(each);
+      require(each.place.line > 0);
+    }
+    return;
+  }
+  for (const process::Material& each : *materials) {
+    require(!each.name.empty() && process::find_material(each.name, *materials, {}));
+    process::Operation operation;
+    (void)process::fill_in(operation, &each, machine);
+    require(!operation.power_percent || *operation.power_percent <= 100);
+    require(!operation.feed || *operation.feed > 0);
+  }
+}
+
+void check_words(const std::string& text) {
+  const auto filled = process::filled_words(text, {{"serial", "1"}, {"a", "b"}}, {});
+  if (!filled) require(filled.error().code == base::Code::job_text);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
   process::Recipe recipe = read(text);
-  if (recipe.operations.empty()) recipe.operations.push_back({.name = "a", .layers = {"*"}});
+  if (recipe.operations.empty()) {
+    process::Operation& operation = recipe.operations.emplace_back();
+    operation.name = "a";
+    operation.layers = {"*"};
+  }
+  check_materials(text);
+  check_words(text);
   std::size_t at = 0;
   for (std::size_t i = 0; i < kMostLines && at < text.size(); ++i) {
     const std::size_t end = std::min(text.find('\n', at), text.size());

@@ -29,7 +29,7 @@ process::Process process_of(const std::string& word) {
   using process::Process;
   for (const Process each : {Process::engrave, Process::mark, Process::cut, Process::fill,
                              Process::raster, Process::weld, Process::heat, Process::drill}) {
-    if (word == name_of(each)) return each;
+    if (word == word_of(each)) return each;
   }
   return Process::engrave;
 }

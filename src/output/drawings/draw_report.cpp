@@ -183,7 +183,7 @@ std::string operation_json(const process::PlannedOperation& planned, const Made&
   const process::Operation& operation = planned.operation;
   JsonObject object;
   object.text("name", operation.name)
-      .text("process", process::name_of(operation.process))
+      .text("process", process::word_of(operation.process))
       .number("contours", static_cast<double>(planned.contours))
       .number("passes", operation.passes)
       .number("lines", static_cast<double>(planned.scan_lines))

@@ -41,7 +41,7 @@ std::string plan_lines(const DrawFacts& facts) {
     const Made& of = facts.made_by_operation[i];
     lines += fmt::format(
         "  {:<16} {:<8} {:>10.1f} mm {:>9.1f} s {:>9.1f} J\n", printable(planned.operation.name),
-        process::name_of(planned.operation.process), of.beam_mm, of.time_s, of.energy_j);
+        process::word_of(planned.operation.process), of.beam_mm, of.time_s, of.energy_j);
   }
   lines += fmt::format("  time {:.1f} s, beam {:.1f} mm, travel {:.1f} mm (as drawn {:.1f})\n",
                        made.time_s, made.beam_mm, made.travel_mm, facts.plan->travel_file_mm);

@@ -29,6 +29,7 @@ struct Entity {
   Name kind{};     ///< as the file names it: LWPOLYLINE, path
   Name handle{};   ///< or id
   Name classes{};  ///< parted by blanks
+  Name dashes{};   ///< lengths on and off along its paths, mm, parted by blanks; empty: none
   Colour colour{};
   FillRule rule = FillRule::even_odd;
 };

@@ -94,6 +94,15 @@ TEST(Svg, a_hidden_layer_is_drawn_if_it_is_named) {
   EXPECT_EQ(svg.layer(0), "Marks");
 }
 
+TEST(Svg, dashes_are_lengths_on_the_machine) {
+  const Svg svg(page(
+      "<g stroke='red' stroke-dasharray='4, 2 1'><path d='M0 0h9' transform='scale(2)'/>"
+      "<path stroke-dasharray='none' d='M0 0h9'/></g><path stroke-dasharray='1 -1' d='M0 0h9'/>"));
+  EXPECT_EQ(svg.drawing.names[svg.drawing.entities[0].dashes], "8 4 2 8 4 2");
+  EXPECT_EQ(svg.drawing.names[svg.drawing.entities[1].dashes], "");
+  EXPECT_EQ(svg.drawing.names[svg.drawing.entities[2].dashes], "");
+}
+
 TEST(Svg, fill_rule_is_the_contours_own) {
   const Svg svg(page("<g fill-rule='evenodd'><path d='M0 0h1'/></g><path d='M0 0h1'/>"));
   EXPECT_EQ(svg.drawing.entities[0].rule, FillRule::even_odd);

@@ -31,6 +31,7 @@ struct Entity {
   Name kind{};     ///< as the file names it: LWPOLYLINE, path
   Name handle{};   ///< or id
   Name classes{};  ///< parted by blanks
+  Name dashes{};   ///< lengths on and off along its paths, mm, parted by blanks; empty: none
   Colour colour{};
   FillRule rule = FillRule::even_odd;
   /// Of an array: the copy that alone has it; kEveryCopy as nearly always.

@@ -39,9 +39,11 @@ class HersheyText {
     }
     return taken.size() == count ? std::optional(taken) : std::nullopt;
   }
-  /// Only blanks and ends of lines are left.
-  [[nodiscard]] bool is_done() const {
-    return bytes_.find_first_not_of(" \r\n\t\x1a", at_) == std::string_view::npos;
+  /// Goes to the next record; false: there is none.
+  [[nodiscard]] bool has_more() {
+    for (; at_ < bytes_.size() && (bytes_[at_] == '\n' || bytes_[at_] == '\r'); ++at_)
+      if (bytes_[at_] == '\n') ++line_;
+    return bytes_.find_first_not_of(" \r\n\t\x1a", at_) != std::string_view::npos;
   }
   [[nodiscard]] std::size_t line() const { return line_; }
 
@@ -128,7 +130,7 @@ class HersheyFont : public Font {
 base::Outcome<std::unique_ptr<Font>> read_hershey(std::string_view bytes, const std::string& name) {
   HersheyText text(bytes);
   std::vector<HersheyGlyph> records;
-  while (!text.is_done()) {
+  while (text.has_more()) {
     const std::size_t line = text.line();
     auto record = glyph_of(text);
     if (!record)

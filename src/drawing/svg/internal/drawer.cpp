@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "base/decimal.hpp"
 #include "drawing/image/picture.hpp"
 #include "drawing/svg/internal/colours.hpp"
 #include "drawing/svg/internal/expansion.hpp"
@@ -301,6 +303,23 @@ Entity Drawer::entity_of(ElementId id, Name layer, Colour colour, const Style& s
   return entity;
 }
 
+/// Of the stroke; an odd number of lengths is said twice. Under an unequal scale they are as long
+/// as the root of the area says.
+Name Drawer::dashes_of(ElementId id, const Context& context) {
+  const Style& style = context.style;
+  if (style.dashes.empty() || style.stroke.kind == Paint::Kind::none) return {};
+  const auto lengths = lengths_of(style.dashes, Along::both, measures(context));
+  const double sum = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const bool is_list = std::all_of(lengths.begin(), lengths.end(), [](double l) { return l >= 0; });
+  if (!is_list || !(sum > 0)) return {};
+  if (style.are_dashes_shifted) ignore(id, "stroke-dashoffset", "dashes begin with a path");
+  const double scale = std::sqrt(std::abs(context.to_mm.determinant()));
+  std::string text;
+  for (std::size_t i = 0; i < lengths.size() * (1 + lengths.size() % 2); ++i)
+    text += (i > 0 ? " " : "") + base::number_text(scale * lengths[i % lengths.size()]);
+  return canvas_.name(text);
+}
+
 void Drawer::draw_shape_of(ElementId id, const Context& context) {
   if (!is_seen(id, context)) return;
   const std::string_view name = name_of(tree_[id].tag);
@@ -317,7 +336,9 @@ void Drawer::draw_shape_of(ElementId id, const Context& context) {
     return ignore(id, fmt::format("{} of no size", name), "it has no size");
   tell_paint(id, style.fill);
   tell_paint(id, style.stroke);
-  const EntityId entity = canvas_.add(entity_of(id, layer, *colour, style));
+  Entity what = entity_of(id, layer, *colour, style);
+  what.dashes = dashes_of(id, context);
+  const EntityId entity = canvas_.add(what);
   if (shape.kind == Shape::Kind::path) {
     if (const auto wrong = draw_path(attributes.text(Key::d), canvas_, entity, context.to_mm))
       warn(base::Code::svg_path, id, "d: " + *wrong);

@@ -59,6 +59,7 @@ class Drawer {
   [[nodiscard]] std::optional<Colour> colour_of(ElementId id, const Style& style);
   [[nodiscard]] Name layer_of(const Context& context, Colour colour);
   [[nodiscard]] Entity entity_of(ElementId id, Name layer, Colour colour, const Style& style);
+  [[nodiscard]] Name dashes_of(ElementId id, const Context& context);
   [[nodiscard]] Measures measures(const Context& context) const;
 
   void tell_left_out(ElementId id, const Context& context);

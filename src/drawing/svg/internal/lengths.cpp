@@ -1,5 +1,6 @@
 #include "drawing/svg/internal/lengths.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "drawing/svg/internal/scanner.hpp"
@@ -36,6 +37,22 @@ std::optional<double> in_units(const Length& length, Along along, const Measures
     if (same_letters(length.unit, unit))
       return length.number * *mm_of_unit(unit) * measures.dpi / kMmAnInch;
   return std::nullopt;
+}
+
+std::vector<double> lengths_of(std::string_view text, Along along, const Measures& measures) {
+  constexpr std::size_t kMostLengths = 1000;
+  std::vector<double> found;
+  while (!(text = trimmed(text)).empty() && found.size() < kMostLengths) {
+    const std::size_t end = std::min(text.find_first_of(", \t\n\r"), text.size());
+    const auto length = length_of(text.substr(0, end));
+    const auto units = length ? in_units(*length, along, measures) : std::nullopt;
+    if (!units) break;
+    found.push_back(*units);
+    text.remove_prefix(end);
+    text = trimmed(text);
+    if (text.starts_with(',')) text.remove_prefix(1);
+  }
+  return found;
 }
 
 }  // namespace kerf::drawing::svg

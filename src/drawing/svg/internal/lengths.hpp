@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "drawing/affine.hpp"
 
@@ -28,6 +29,9 @@ enum class Along : std::uint8_t { x, y, both };
 
 /// In user units. None: its unit is unknown.
 [[nodiscard]] std::optional<double> in_units(const Length& length, Along along,
+                                             const Measures& measures);
+/// Lengths parted by blanks and commas, up to the first that is none; at most 1000.
+[[nodiscard]] std::vector<double> lengths_of(std::string_view text, Along along,
                                              const Measures& measures);
 
 }  // namespace kerf::drawing::svg

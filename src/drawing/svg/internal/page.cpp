@@ -13,9 +13,9 @@ namespace {
 
 constexpr ElementId kRoot = 0;
 
-/// A side of the root in px.
+/// A side of the root. In mm, not by way of px: so 40 mm by 40 units are exactly 1.
 struct Side {
-  std::optional<double> px;
+  std::optional<double> mm;
   std::string_view unit = "px";
 };
 
@@ -67,9 +67,16 @@ class PageReader {
       return {};
     }
     if (length->unit == "%") return {};
-    const auto px = in_units(*length, along, {{}, 16, dpi_});
-    if (!px || !(*px > 0)) return {};
-    return {*px, length->unit.empty() ? "px" : length->unit};
+    const auto mm = mm_of(*length, along);
+    if (!mm || !(*mm > 0)) return {};
+    return {*mm, length->unit.empty() ? "px" : length->unit};
+  }
+
+  [[nodiscard]] std::optional<double> mm_of(const Length& length, Along along) const {
+    for (const std::string_view unit : {"mm", "cm", "in", "pt", "pc", "q"})
+      if (same_letters(length.unit, unit)) return length.number * *mm_of_unit(unit);
+    const auto px = in_units(length, along, {{}, 16, dpi_});
+    return px ? std::optional(*px * px_mm_) : std::nullopt;
   }
 
   void warn(base::Code code, const std::string& detail, const std::string& hint = {}) {
@@ -95,11 +102,11 @@ class PageReader {
   Vec2 of_unit(double unit_mm) {
     say(canvas_.reading().unit, "--unit", unit_mm);
     if (box_) return unit_mm * box_->size;
-    return unit_mm * Vec2{across_.px.value_or(0), down_.px.value_or(0)};
+    return (unit_mm / px_mm_) * Vec2{across_.mm.value_or(0), down_.mm.value_or(0)};
   }
 
   Vec2 of_file() {
-    const bool has_size = across_.px || down_.px;
+    const bool has_size = across_.mm || down_.mm;
     const bool is_in_px = same_letters(unit(), "px");
     if (canvas_.reading().dpi > 0 && is_in_px)
       say("px", "--dpi", px_mm_);
@@ -108,18 +115,19 @@ class PageReader {
     else
       say("px", "assumed", px_mm_);
     tell_px(has_size, is_in_px);
-    return px_mm_ * size_px();
+    return size_mm();
   }
 
-  [[nodiscard]] std::string_view unit() const { return across_.px ? across_.unit : down_.unit; }
+  [[nodiscard]] std::string_view unit() const { return across_.mm ? across_.unit : down_.unit; }
 
   /// One side follows the other by the view box.
-  [[nodiscard]] Vec2 size_px() const {
-    if (across_.px && down_.px) return {*across_.px, *down_.px};
-    if (!box_) return {across_.px.value_or(0), down_.px.value_or(0)};
-    if (across_.px) return (*across_.px / box_->size.u) * box_->size;
-    if (down_.px) return (*down_.px / box_->size.v) * box_->size;
-    return box_->size;
+  [[nodiscard]] Vec2 size_mm() const {
+    if (across_.mm && down_.mm) return {*across_.mm, *down_.mm};
+    if (!box_) return {across_.mm.value_or(0), down_.mm.value_or(0)};
+    const Vec2 size = box_->size;
+    if (across_.mm) return {*across_.mm, *across_.mm * size.v / size.u};
+    if (down_.mm) return {*down_.mm * size.u / size.v, *down_.mm};
+    return px_mm_ * size;
   }
 
   /// Some programs had, or have, other px than those of CSS.

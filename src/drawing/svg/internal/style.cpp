@@ -63,6 +63,13 @@ void set_element_opacity(Style& style, const Style&, std::string_view value) {
 void set_markers(Style& style, const Style&, std::string_view value) {
   style.has_markers = value != "none";
 }
+void set_dashes(Style& style, const Style&, std::string_view value) {
+  style.dashes = value == "none" ? std::string_view{} : value;
+}
+void set_dash_shift(Style& style, const Style&, std::string_view value) {
+  const auto length = length_of(value);
+  style.are_dashes_shifted = length && length->number != 0;
+}
 void set_clip_path(Style& style, const Style&, std::string_view value) {
   style.clip_path = value == "none" ? std::string_view{} : value;
 }
@@ -118,6 +125,8 @@ Set setter_of(Key property) {
     case Key::opacity: return set_element_opacity;
     case Key::overflow: return set_overflow;
     case Key::stroke: return set_stroke;
+    case Key::stroke_dasharray: return set_dashes;
+    case Key::stroke_dashoffset: return set_dash_shift;
     case Key::stroke_opacity: return set_stroke_opacity;
     case Key::text_anchor: return set_anchor;
     case Key::transform: return set_transform;
@@ -136,6 +145,7 @@ void inherit(Style& style, const Style& parent, Key property) {
     case Key::stroke_opacity: style.stroke_opacity = parent.stroke_opacity; break;
     case Key::fill_rule: style.rule = parent.rule; break;
     case Key::visibility: style.is_visible = parent.is_visible; break;
+    case Key::stroke_dasharray: style.dashes = parent.dashes; break;
     case Key::font_size: style.font_size = parent.font_size; break;
     case Key::text_anchor: style.anchor = parent.anchor; break;
     case Key::opacity: style.opacity = parent.opacity; break;

@@ -25,6 +25,8 @@ struct Style {
   FillRule rule = FillRule::non_zero;
   bool is_visible = true;
   bool has_markers = false;
+  std::string_view dashes;  ///< empty: none
+  bool are_dashes_shifted = false;
   double font_size = 16;  ///< user units
   Across anchor = Across::left;
   // What they do not.

@@ -24,18 +24,7 @@ void TextReader::begin(Vec2 at, const Style& style, ElementId id) {
 
 std::vector<double> TextReader::lengths(ElementId id, Key key, Along along,
                                         const Style& style) const {
-  std::vector<double> found;
-  std::string_view text = tree_.text(id, key);
-  while (!(text = trimmed(text)).empty()) {
-    const std::size_t end = std::min(text.find_first_of(", \t\n\r"), text.size());
-    const auto length = length_of(text.substr(0, end));
-    const auto units =
-        length ? in_units(*length, along, {viewport_, style.font_size, dpi_}) : std::nullopt;
-    if (!units) break;
-    found.push_back(*units);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return found;
+  return lengths_of(tree_.text(id, key), along, {viewport_, style.font_size, dpi_});
 }
 
 /// An x or y begins a line; what it does not say is that of the line before.

@@ -63,6 +63,8 @@ enum class Key : std::uint8_t {
   opacity,
   overflow,
   stroke,
+  stroke_dasharray,
+  stroke_dashoffset,
   stroke_opacity,
   text_anchor,
   transform,

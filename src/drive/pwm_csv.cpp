@@ -4,7 +4,10 @@
 
 namespace kerf::drive {
 
-PwmCsv::PwmCsv(base::OutputFile& file) : file_(file) { file_.write("t,line,f,duty,TCNTB,TCMPB\n"); }
+PwmCsv::PwmCsv(base::OutputFile& file, std::optional<int> timer) : file_(file) {
+  const std::string number = timer ? std::to_string(*timer) : "";
+  file_.write("t,line,f,duty,TCNTB" + number + ",TCMPB" + number + "\n");
+}
 
 void PwmCsv::take(double time_s, std::uint32_t line, const PulseTrain& train,
                   const PwmRegisters& registers) {

@@ -21,11 +21,12 @@ PatternReplay::PatternReplay(const machine::PatternMachine& machine)
   motions_.push_back(&statistics_);
 }
 
-base::Result<void> PatternReplay::take(const drive::PatternRecord& record) {
+template <typename Make>
+base::Result<void> PatternReplay::follow(std::uint64_t& count, const Make& make) {
   const double begin_s = time_s();
   if (!points_.empty()) lines_.begin(motors_.time_ns(), motors_.counters());
-  if (auto made = motors_.make(record); !made) return made;
-  ++(std::holds_alternative<drive::FastRecord>(record) ? totals_.fast : totals_.triplets);
+  if (auto made = make(); !made) return made;
+  ++count;
   totals_.pulses = pulses_.count;
   look_at_travel();
   tell_motion();
@@ -34,6 +35,15 @@ base::Result<void> PatternReplay::take(const drive::PatternRecord& record) {
     sample(begin_s, time_s());
   }
   return {};
+}
+
+base::Result<void> PatternReplay::take(const drive::PatternRecord& record) {
+  const bool is_fast = std::holds_alternative<drive::FastRecord>(record);
+  return follow(is_fast ? totals_.fast : totals_.triplets, [&] { return motors_.make(record); });
+}
+
+base::Result<void> PatternReplay::take(const drive::ListedLinked& linked) {
+  return follow(totals_.linked, [&] { return motors_.make_linked(linked.counts); });
 }
 
 void PatternReplay::tell_motion() {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "drive/pattern/listing.hpp"
 #include "drive/pattern/record.hpp"
 #include "machine/definition/pattern_machine.hpp"
 #include "machine/dialect/pattern_motors.hpp"
@@ -18,10 +19,10 @@ namespace kerf::engraver {
 
 /// Runs the records of a pattern on the motors of a machine that stands where every counter is 0.
 ///
-/// Pulses go to the pulse sinks. Motions: a line of the tip for each triplet, at the feed that it
-/// has, a rapid for each fast record; what moves nothing is none. Set-points: one for every period
-/// of the servo, joints on the straight lines that the pulses follow, up to the first period at
-/// which all stands. `line` of both is the number of the record, from 1.
+/// Pulses go to the pulse sinks. Motions: a line of the tip for each triplet or linked move, at
+/// the feed that it has, a rapid for each fast record; what moves nothing is none. Set-points: one
+/// for every period of the servo, joints on the straight lines that the pulses follow, up to the
+/// first period at which all stands. `line` of both is the number of the record, from 1.
 class PatternReplay {
  public:
   /// The machine must outlive the replay. Sinks are added before the first record.
@@ -43,6 +44,8 @@ class PatternReplay {
 
   /// Makes the next record. Error TIMER_OVERFLOW: nothing of it has moved.
   [[nodiscard]] base::Result<void> take(const drive::PatternRecord& record);
+  /// All four motors together (machine::PatternSettings::Link::four).
+  [[nodiscard]] base::Result<void> take(const drive::ListedLinked& linked);
   /// The end: the last set-points.
   void finish();
 
@@ -51,7 +54,10 @@ class PatternReplay {
   struct Totals {
     std::uint64_t fast = 0;  ///< records
     std::uint64_t triplets = 0;
+    std::uint64_t linked = 0;
     std::uint64_t pulses = 0;
+
+    [[nodiscard]] std::uint64_t records() const { return fast + triplets + linked; }
   };
   [[nodiscard]] const Totals& totals() const { return totals_; }
   [[nodiscard]] const drive::ArmCounts& counters() const { return motors_.counters(); }
@@ -72,7 +78,10 @@ class PatternReplay {
     std::uint64_t count = 0;
   };
 
-  [[nodiscard]] std::uint64_t records() const { return totals_.fast + totals_.triplets; }
+  [[nodiscard]] std::uint64_t records() const { return totals_.records(); }
+  /// What `make` does on the motors is a record that `count` counts.
+  template <typename Make>
+  base::Result<void> follow(std::uint64_t& count, const Make& make);
   void tell_motion();
   void sample(double begin_s, double end_s);
   void look_at_travel();

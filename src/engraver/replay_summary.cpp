@@ -17,6 +17,7 @@ std::string alarm_json(const std::optional<base::Diagnostic>& alarm, const std::
   if (!alarm) return "null";
   output::JsonObject object;
   object.text("code", alarm->number).text("message", alarm->message).text("file", file);
+  if (alarm->place.line > 0) object.number("line", alarm->place.line);
   if (alarm->offset) object.number("offset", static_cast<double>(*alarm->offset));
   return object.done();
 }
@@ -28,6 +29,7 @@ const char* status_of(const ReplaySummary& summary) {
 
 std::string pattern_json(const PatternReplay::Totals& totals) {
   output::JsonObject object = records_json(totals.fast, totals.triplets);
+  if (totals.linked > 0) object.number("linked", static_cast<double>(totals.linked));
   object.number("pulses", static_cast<double>(totals.pulses));
   return object.done();
 }
@@ -78,9 +80,10 @@ std::string replay_text(const PatternReplay& replay, const ReplaySummary& summar
   std::string text =
       fmt::format("{} on {} (pattern): {}\n", output::printable(output::file_title(summary.file)),
                   replay.machine().definition().name, status_of(summary));
-  text += fmt::format("  {} records: {} fast, {} triplets; {} pulses, {:.1f} s\n",
-                      totals.fast + totals.triplets, totals.fast, totals.triplets, totals.pulses,
-                      replay.time_s());
+  text += fmt::format("  {} records: {} fast, {} triplets{}; {} pulses, {:.1f} s\n",
+                      totals.records(), totals.fast, totals.triplets,
+                      totals.linked > 0 ? fmt::format(", {} linked", totals.linked) : "",
+                      totals.pulses, replay.time_s());
   text += fmt::format("  rapid {:.1f} mm, cut {:.1f} mm", run.rapid_mm(), run.cut_mm());
   for (std::size_t i = 0; i < axes.size() && run.motions() > 0; ++i) {
     text += fmt::format("{} {} {} to {}", i == 0 ? "\n  extents" : ",", axes[i].letter,

@@ -1,5 +1,7 @@
 #include "job/facts_of_run.hpp"
 
+#include "base/program_name.hpp"
+#include "machine/dialect/registry.hpp"
 #include "output/writing/diagnostic_text.hpp"
 #include "output/writing/drive_alarm.hpp"
 #include "output/writing/title.hpp"
@@ -109,6 +111,12 @@ RunFacts facts_of(BatchRun& machine) {
 
 std::string title_of(const BatchRun& machine) {
   return output::program_title(machine.program_name(), main_file(machine));
+}
+
+std::string source_of(const BatchRun& machine) {
+  const bool is_unknown = machine.dialect() == machine::kMotionDialect &&
+                          machine.program_name() == base::kUnnumberedProgram;
+  return is_unknown ? std::string() : title_of(machine);
 }
 
 output::DriveFault alarm_of(BatchRun& machine) {

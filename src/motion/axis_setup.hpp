@@ -28,12 +28,20 @@ struct AxisConfig {
   [[nodiscard]] double count_per_mm() const { return diameter ? 2 : 1; }
 };
 
+/// How fast work that turns about X0 Y0 under the tip can be brought to a place, > 0.
+struct TurningWork {
+  double radius_per_min = 0;  ///< of the tip from the axis, mm/min
+  double angle_per_min = 0;   ///< of the work, degrees/min
+};
+
 /// The axes of a machine in its order; the position in the list is the Axis. At most kMaxAxes.
 struct AxisSetup {
   std::vector<AxisConfig> axes;
   base::TipPoint start;  ///< where they stand at power-on, with no length in force
   bool linked = false;   ///< others move them through a linkage, which not every move suits
   bool beam = false;     ///< for a spindle there is the beam of a laser
+  /// Rapids bring the axes from point to point (TurningRapid); nothing: they go straight.
+  std::optional<TurningWork> turning_work;
   /// Of each spindle, rpm/s; 0: a change of its speed takes no time.
   std::array<double, kSpindles> spindle_acceleration{};
   /// What feeds per revolution count while no spindle has had a speed, rpm; 0: no time is known.

@@ -53,7 +53,9 @@ enum class Direction : std::uint8_t { clockwise, counterclockwise };
 /// Without cutting, as fast as the axes can.
 struct Rapid {
   base::TipPoint to;
-  bool linear = true;  ///< else each axis at its own rate: only the end point is promised
+  /// Else each axis at its own rate: only the end point is promised. On machines of
+  /// AxisSetup::turning_work either way is that of TurningRapid.
+  bool linear = true;
 };
 
 /// Straight line at feed.
@@ -171,6 +173,7 @@ struct Power {
   /// `percent` is that of the programmed feed, and where the tip is slower or faster the beam has
   /// so much less or more of it, at most 100.
   bool follows_speed = false;
+  double frequency_hz = 0;  ///< of its pulses; 0: that of the machine
 
   bool operator==(const Power&) const = default;
 

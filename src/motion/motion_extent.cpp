@@ -7,6 +7,7 @@
 #include "motion/plane_axes.hpp"
 #include "motion/space_arc_path.hpp"
 #include "motion/surface_path.hpp"
+#include "motion/turning_rapid.hpp"
 
 namespace kerf::motion {
 namespace {
@@ -55,23 +56,39 @@ void reach_farthest(const AxisSetup& axes, const SpaceArcPath& path, MotionExten
   }
 }
 
-// The ends of its curves, and of each the place where it is nearest to the centre or farthest away:
-// it has one at most, where its rate is 0.
+// Where an axis turns round between two places of a curve: once at most, where its rate is 0.
+void reach_turn(const Curve& curve, base::Axis axis, double low, double high,
+                MotionExtent& extent) {
+  const auto rate = [&](double s) { return curve.rate(s)[axis]; };
+  if (!(rate(low) * rate(high) < 0)) return;
+  constexpr int kHalvings = 60;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (rate(low) * rate(middle) <= 0 ? high : low) = middle;
+  }
+  extent.reach(curve.at(low));
+}
+
+// The ends of its curves, and of each the place where it is nearest to the centre or farthest away.
 void reach_on_surface(const AxisSetup& axes, const TipPoint& from, const SurfaceMove& move,
                       MotionExtent& extent) {
   const SurfacePath path(axes, from, move, [&](const Curve& curve) {
     extent.reach(curve.end());
-    const auto rate = [&](double s) { return curve.rate(s)[move.surface.first]; };
-    if (!(rate(0) * rate(curve.length()) < 0)) return;
-    double low = 0;
-    double high = curve.length();
-    constexpr int kHalvings = 60;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = (low + high) / 2;
-      (rate(low) * rate(middle) <= 0 ? high : low) = middle;
-    }
-    extent.reach(curve.at(low));
+    reach_turn(curve, move.surface.first, 0, curve.length(), extent);
   });
+}
+
+// Its direction turns at most twice as far as the work, so in a sixteenth of half a turn X and Y
+// turn round once at most.
+void reach_on_spiral(const AxisSetup& axes, const TurningRapid& way, MotionExtent& extent) {
+  constexpr int kParts = 16;
+  const Curve curve = way.curve();
+  for (int i = 0; i < kParts; ++i) {
+    for (const char letter : {'X', 'Y'}) {
+      reach_turn(curve, *axes.find(letter), curve.length() * i / kParts,
+                 curve.length() * (i + 1) / kParts, extent);
+    }
+  }
 }
 
 }  // namespace
@@ -92,6 +109,9 @@ MotionExtent extent_of(const AxisSetup& axes, const TipPoint& from, const Motion
     reach_farthest(axes, SpaceArcPath(axes, from, *arc), extent);
   if (const auto* const move = std::get_if<SurfaceMove>(&motion.action))
     reach_on_surface(axes, from, *move, extent);
+  if (axes.turning_work && std::holds_alternative<Rapid>(motion.action)) {
+    if (const auto way = TurningRapid::between(axes, from, to)) reach_on_spiral(axes, *way, extent);
+  }
   return extent;
 }
 

@@ -11,6 +11,7 @@
 #include "motion/plane_axes.hpp"
 #include "motion/space_arc_path.hpp"
 #include "motion/surface_path.hpp"
+#include "motion/turning_rapid.hpp"
 
 namespace kerf::motion {
 
@@ -27,12 +28,21 @@ std::span<const Curve> MoveCurves::of(const TipPoint& from, const Motion& motion
     add_space_arc(*space_arc);
   } else if (const auto* const surface_move = std::get_if<SurfaceMove>(&motion.action)) {
     add_surface_move(*surface_move);
+  } else if (const auto* const rapid = std::get_if<Rapid>(&motion.action)) {
+    add_rapid(*rapid);
   } else if (const TipPoint* const to = target_of(motion)) {
-    const auto* const rapid = std::get_if<Rapid>(&motion.action);
-    if (rapid != nullptr && !rapid->linear) add_legs(*to);
     add_line(*to);
   }
   return curves_;
+}
+
+void MoveCurves::add_rapid(const Rapid& rapid) {
+  if (axes_.turning_work) {
+    if (const auto way = TurningRapid::between(axes_, at_, rapid.to)) return add(way->curve());
+  } else if (!rapid.linear) {
+    add_legs(rapid.to);
+  }
+  add_line(rapid.to);
 }
 
 // Every axis goes at its own rate: the way is a leg for each that is done before the others.

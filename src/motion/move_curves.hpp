@@ -23,13 +23,15 @@ class MoveCurves {
 
   /// The curves of a move in their order, until the next call: one; of an arc in space one from
   /// each point given to the next; of a move on a face many (SurfacePath); of a rapid whose axes
-  /// keep their own rates one until each of them is done; none when it goes nowhere. `from` is
-  /// where the tip stands. A motion without a target goes nowhere.
+  /// keep their own rates one until each of them is done; of one over turning work that of
+  /// TurningRapid; none when it goes nowhere. `from` is where the tip stands. A motion without a
+  /// target goes nowhere.
   [[nodiscard]] std::span<const Curve> of(const base::TipPoint& from, const Motion& motion);
 
  private:
   static constexpr std::size_t kOnFace = 128;  // as many as hardly a move there has
 
+  void add_rapid(const Rapid& rapid);
   void add_legs(const base::TipPoint& to);
   void add_line(const base::TipPoint& to);
   void add_arc(const Arc& arc);

@@ -46,6 +46,8 @@ void CellMaker::make(const Path& path, const Overrides& overrides, Ring<Cell>& c
       cell.piece = next_piece_;
       cell.dwell_s = piece.dwell_s;
       cell.stop = true;
+    } else if (linkage_ != nullptr && piece.rapid && piece.curve.is_arc()) {
+      add_from_point_to_point(piece, overrides, cells);
     } else if (linkage_ != nullptr) {
       if (!cut(piece, overrides, cells)) return;
     } else if (piece.speed.is_constant()) {
@@ -153,6 +155,21 @@ bool CellMaker::cut(const PathPiece& piece, const Overrides& overrides, Ring<Cel
   }
   cells_of_piece_ = 0;
   return true;
+}
+
+// The driven axes go in proportion to the parameter (motion::TurningRapid), so the tip leaves the
+// path nowhere.
+void CellMaker::add_from_point_to_point(const PathPiece& piece, const Overrides& overrides,
+                                        Ring<Cell>& cells) {
+  Stretch stretch(*linkage_, piece.curve);
+  const JointSample begin = stretch.look_at(piece.begin, joints_);
+  stretch.look(piece.begin, begin, piece.end);
+  joints_ = stretch.samples()[2].joints;
+  const base::AxisVector way = joints_ - begin.joints;
+  CellBounds bounds;
+  for (std::size_t m = 0; m < linkage_->size(); ++m)
+    bounds.driven.first.values[m] = std::fabs(way.values[m]) / stretch.length();
+  add(piece, piece.begin, piece.end, bounds, overrides, cells);
 }
 
 // Where the next cell ends at the latest: a border is not one with what lies between.

@@ -57,6 +57,8 @@ class CellMaker {
   void split_inside(const PathPiece& piece, double begin, double end, const CellBounds& bounds,
                     const Overrides& overrides, Ring<Cell>& cells);
   [[nodiscard]] double most_end_of(const PathPiece& piece) const;
+  void add_from_point_to_point(const PathPiece& piece, const Overrides& overrides,
+                               Ring<Cell>& cells);
   bool cut_by_speed(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
   bool cut(const PathPiece& piece, const Overrides& overrides, Ring<Cell>& cells);
   [[nodiscard]] double look(const PathPiece& piece, const JointSample& first, Stretch& stretch,

@@ -77,6 +77,7 @@ motion::Mark PathBuilder::mark_of(const Motion& motion, motion::MoveKind kind, d
           kind,
           static_cast<float>(power_.beam_percent()),
           power_.follows_speed,
+          power_.frequency_hz,
           std::isfinite(speed) ? static_cast<float>(speed) : 0,
           tool_,
           motions_};

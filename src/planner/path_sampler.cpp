@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/turning_rapid.hpp"
 #include "planner/steps.hpp"
 
 namespace kerf::planner {
@@ -114,6 +115,11 @@ double PathSampler::speed_of(const PathPiece& piece) const {
   const bool has_feed = std::isfinite(feed);
   if (has_feed && !(is_periodic(settings_.sampling) && turns_in_place(piece.curve)))
     return piece.fixed_override ? feed : feed * overrides_.feed;
+  if (piece.rapid && axes_.turning_work) {
+    const TipPoint begin = piece.curve.at(0);
+    const double seconds = motion::TurningRapid::seconds(axes_, begin, piece.curve.end());
+    if (seconds > 0) return piece.curve.length() / seconds * overrides_.rapid;
+  }
   const AxisVector slope = piece.curve.bounds(piece.begin, piece.end).first;
   double speed = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < axes_.count(); ++m) {

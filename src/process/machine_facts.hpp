@@ -16,7 +16,8 @@ struct MachineFacts {
   double fastest_feed = 0;      ///< mm/min in X and Y
   double max_power_w = 0;
   double frequency_hz = 0;
-  double kerf_mm = 0;  ///< of the beam
+  double kerf_mm = 0;   ///< of the beam
+  double focus_mm = 0;  ///< Z of cuts whose job says none
   std::string gas;
   bool z_first = false;  ///< the focus is set before X and Y also where it falls
 };

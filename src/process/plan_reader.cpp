@@ -16,10 +16,11 @@ constexpr double kHere_mm = 1e-9;
 
 /// Any operation that names a height, or changes it from pass to pass.
 bool names_z(const Plan& plan) {
-  return std::any_of(plan.operations.begin(), plan.operations.end(),
-                     [](const PlannedOperation& planned) {
-                       return planned.operation.z || planned.operation.z_step != 0;
-                     });
+  return plan.machine.focus_mm != 0 || std::any_of(plan.operations.begin(), plan.operations.end(),
+                                                   [](const PlannedOperation& planned) {
+                                                     return planned.operation.z ||
+                                                            planned.operation.z_step != 0;
+                                                   });
 }
 
 }  // namespace
@@ -40,7 +41,8 @@ std::uint32_t PlanReader::rounds() const {
 
 double PlanReader::z_of_round() const {
   const Operation& operation = this->operation().operation;
-  if (plan_.machine.has_beam) return operation.z.value_or(0) + cursor_.round * operation.z_step;
+  if (plan_.machine.has_beam)
+    return operation.z.value_or(plan_.machine.focus_mm) + cursor_.round * operation.z_step;
   const double depth = operation.depth.value_or(0);
   if (!operation.step_down) return -depth;
   return -std::min(depth, (cursor_.round + 1) * *operation.step_down);
@@ -155,6 +157,7 @@ void PlanReader::beam(double share) {
   motion::Power power;
   power.percent = base::tidy(share * operation().settled.power_percent);
   power.follows_speed = share > 0 && operation().settled.beam == Beam::follow;
+  power.frequency_hz = share > 0 ? operation().settled.frequency_hz : 0;
   if (power_ == power) return;
   power_ = power;
   emit(power);

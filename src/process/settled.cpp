@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMilliseconds = 1000;
 
-void settle_power(const Operation& operation, Settled& settled) {
+void settle_power(const Operation& operation, const MachineFacts& machine, Settled& settled) {
   if (operation.ton_ms && operation.toff_ms) {
     const double period_ms = *operation.ton_ms + *operation.toff_ms;
     settled.power_percent = 100 * *operation.ton_ms / period_ms;
@@ -21,6 +21,8 @@ void settle_power(const Operation& operation, Settled& settled) {
     settled.power_is_assumed = true;
   }
   if (operation.frequency_hz) settled.frequency_hz = *operation.frequency_hz;
+  // The machine's own is said by saying nothing.
+  if (settled.frequency_hz == machine.frequency_hz) settled.frequency_hz = 0;
 }
 
 void settle_feed(const Operation& operation, const MachineFacts& machine, Settled& settled) {
@@ -64,7 +66,7 @@ double burn_of(const Operation& operation) {
 
 Settled settle(const Operation& operation, const MachineFacts& machine) {
   Settled settled;
-  settle_power(operation, settled);
+  settle_power(operation, machine, settled);
   settle_feed(operation, machine, settled);
   settled.beam = operation.beam.value_or(usual_beam(operation.process));
   settled.overcut = operation.overcut.value_or(operation.process == Process::cut ? 0.2 : 0);

@@ -47,6 +47,82 @@ def registers(box):
         equal(pwm(box, *words), HEADER + f"0,3,{wanted}\n", f"with {settings}")
 
 
+@test("the head of --pwm names the timer, if the machine does; timer 4 has no output")
+def timer(box):
+    for number in range(4):
+        equal(pwm(box, *keys(timer=number)),
+              HEADER.replace("TCNTB", f"TCNTB{number}").replace("TCMPB", f"TCMPB{number}")
+              + "0,3,2000,0,12500,0\n", f"timer {number}")
+    box.write("part.nc", PROGRAM)
+    refused(box.kerf("run", "part.nc", "--machine", "laser3", *keys(timer=4)), 3, "timer 4 has no output")
+    refused(box.kerf("run", "part.nc", "--machine", "laser3", *keys(timer=5)), 2, "drive.timer=5")
+    text = box.kerf("machines", "laser3").text
+    box.write("mine.toml", text.replace("[drive]", "[drive]\ntimer = 4", 1))
+    refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3, "mine.toml:", "timer 4 has no output")
+
+
+@test("PULSE of laser BASIC is in --pwm and in the records of power, where it is not the machine's")
+def program_pulses(box):
+    box.write("p.bas", "speed(10)\npulse(0.4,0.6)\nburn(0.5)\npulse(0.4,0.1)\nburn(0.5)\n"
+                       "pulse(1,1)\npulse(0,0)\nburn(0.5)\n")
+    status(box.kerf("run", "p.bas", "--pwm", "pwm.csv", "--motion", "m.jsonl"), 0)
+    equal(box.read("pwm.csv").decode(),
+          HEADER + "0,3,1000,0.4,25000,10000\n0.5,5,2000,0.8,12500,10000\n1,8,2000,0.5,12500,6250\n"
+          "1.5,8,2000,0,12500,0\n", "--pwm")
+    told = [(m["line"], m["percent"], m.get("frequency_hz"))
+            for m in box.motions("m.jsonl") if m["kind"] == "power"]
+    equal(told, [(2, 40, 1000), (3, 40, 1000), (3, 0, 1000), (4, 80, None), (5, 80, None), (5, 0, None),
+                 (6, 50, 500), (7, 50, None), (8, 50, None), (8, 0, None)], "power")
+    status(box.kerf("run", "p.bas", "--machine-set", "drive.pwm_frequency_hz=1000", "--motion", "m.jsonl"), 0)
+    told = [m.get("frequency_hz") for m in box.motions("m.jsonl") if m["kind"] == "power"]
+    equal(told[:4], [None, None, None, 2000], "on a machine of 1000 Hz")
+
+
+@test("a frequency that the timer cannot make is an alarm of --pwm at the line of its cut")
+def program_pulse_out_of_range(box):
+    box.write("p.bas", "speed(10)\npulse(2,2)\nline(5,0)\n")
+    status(box.kerf("run", "p.bas"), 0)
+    alarm(box.kerf("run", "p.bas", "--pwm", "pwm.csv"), "PWM_RANGE", 3)
+
+
+@test("a cut whose pulses of PULSE lie apart is dotted")
+def dotted_by_program(box):
+    box.write("p.bas", "speed(100)\npulse(0.5,0.5)\nline(5,0)\npulse(2,2)\nline(10,0)\n")
+    result = box.kerf("run", "p.bas")
+    status(result, 0)
+    contains(result.err, "p.bas:5:1: warning: DOTTED_CUT", "the warning")
+    contains(result.err, "250 Hz", "the warning")
+
+
+@test("the beam of a machine file has a kerf, a focus and a gas")
+def beam_of_machine(box):
+    text = box.kerf("machines", "laser3").text
+    box.write("part.nc", PROGRAM)
+    box.write("mine.toml", text + '\n[beam]\nkerf = 0.2\nfocus_mm = -1.5\ngas = "nitrogen, 8 bar"\n')
+    status(box.kerf("run", "part.nc", "--machine", "mine.toml"), 0)
+    for key in ("kerf=0.15", "focus_mm=-2", "gas=air"):
+        status(box.kerf("run", "part.nc", "--machine", "laser3", "--machine-set", "beam." + key), 0)
+    refused(box.kerf("run", "part.nc", "--machine", "laser3", "--machine-set", "beam.gas="), 2,
+            "a name of 1 to 60 characters")
+    for old, said in (('gas = 8', "beam.gas must be a name of 1 to 60 characters"),
+                      ('focus_mm = "deep"', "focus_mm must be a number"),
+                      ("width = 1", "there is no key beam.width")):
+        box.write("mine.toml", text + f"\n[beam]\n{old}\n")
+        refused(box.kerf("run", "part.nc", "--machine", "mine.toml"), 3, "mine.toml:", said)
+
+
+@test("tip.z_first brings Z of a rapid to its place before the other axes move")
+def z_first(box):
+    box.write("part.nc", "O1\nG21G90G94\nG00X5.Z2.\nG01X10.Z1.F600\nG00X20.\nZ5.\nX0Y3.Z0\nM30\n")
+    def made(*words):
+        status(box.kerf("run", "part.nc", "--machine", "laser3", "--motion", "m.jsonl", *words), 0)
+        return [(m["kind"], m["line"], *m["to"].values()) for m in box.motions("m.jsonl") if "to" in m]
+    equal(made("--machine-set", "tip.z_first=true"),
+          [("rapid", 3, 0, 0, 2), ("rapid", 3, 5, 0, 2), ("line", 4, 10, 0, 1), ("rapid", 5, 20, 0, 1),
+           ("rapid", 6, 20, 0, 5), ("rapid", 7, 20, 0, 0), ("rapid", 7, 0, 3, 0)], "Z first")
+    equal(len(made()), 5, "moves as they are programmed")
+
+
 @test("--pwm is wrong usage on a machine without a laser")
 def no_laser(box):
     box.write("part.nc", PROGRAM)

@@ -141,13 +141,14 @@ def interrupt_at_option(box):
     status(box.kerf("run", "-", "--interrupt-at", "1", stdin="O1\nM30\n"), 2)
 
 
-@test("M01 stands in posted programs, and its record only where it has stopped")
+@test("M01 stands in posted programs, and its record says where the program went on")
 def optional_stop_records(box):
     box.write("part.nc", "O1\nG21G90G01X10.F600\nM01\nX20.\nM30\n")
-    for options, kinds, end in (((), ["line", "line", "end"], "end"),
+    for options, kinds, end in (((), ["line", "stop", "line", "end"], "end"),
                                 (("--optional-stop",), ["line", "stop"], "stopped")):
         status(box.kerf("run", "part.nc", "--motion", "m.json", "--summary", "s.json", *options), 0)
         equal([record["kind"] for record in box.motions("m.json")], kinds, str(options))
+        equal(box.motions("m.json")[1].get("passed"), True if end == "end" else None, "passed")
         equal(box.json("s.json")["status"], end, str(options))
     status(box.kerf("run", "part.nc", "--post", "p.nc"), 0)
     lines = box.read("p.nc").split()

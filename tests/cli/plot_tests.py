@@ -5,7 +5,7 @@ import re
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-from harness import check, contains, equal, refused, status, test
+from harness import check, contains, equal, near, refused, status, test
 from limit_tests import bounded, fill
 
 HEAD = "O1\nG21G90G17G94\n"
@@ -91,6 +91,23 @@ def an_hour(box):
 BURN = "#d62728"
 SQUARE = ("speed(100)\npower(80)\nmove(0,0)\nline(20,0)\nline(20,20)\nline(0,20)\nline(0,0)\n"
           "end\n")
+
+
+@test("--plot-energy counts what burns where the beam rests, in G-code, taught points and laser BASIC")
+def energy_of_holes(box):
+    programs = {"a.nc": "G21G90\nM03S500\nG00X10.\nG01\nG04P500\nG00X20.\nM30\n",
+                "a.tch": "TEACH 1\nPOINT 0 0 0 0 0\nFEED 600\nLASER ON 50\nDWELL 0.5\nLASER OFF\nLINE 10 0 0 0 0\nEND\n",
+                "a.bas": "power(50)\nmove(10,10)\nburn(0.5)\nmove(0,0)\n"}
+    for name, program in programs.items():
+        box.write(name, program)
+        result = box.kerf("run", name, "--machine", "laser5" if name == "a.tch" else "laser3", "--plot", "e.svg",
+                          "--plot-energy", "--summary", "s.json", "--machine-set", "drive.max_power_w=60",
+                          "--machine-set", "drive.spot_mm=0.1", "--machine-set", "interpolator.period_ms=1")
+        status(result, 0)
+        contains(result.err, "energy of the beam: 15 J", name)
+        energy = box.json("s.json")["energy"]
+        near(energy["total_j"], 15, 0.04, f"energy of {name}")  # a period more or less of 60 W at 50 %
+        near(energy["most_j_mm"], 150, 0.4, f"energy of a spot of {name}")
 
 
 @test("--plot-energy marks the corners of a square as burns, and says the most energy and its line")

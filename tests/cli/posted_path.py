@@ -66,15 +66,17 @@ def raised(point, added):
 class Rs274:
     """What LinuxCNC's interpreter makes of a program."""
 
-    def __init__(self, folder, name, laser=False):
+    def __init__(self, folder, name, laser=False, table=None):
         self.laser = laser
         if not shutil.which("rs274"):
             raise Skipped("rs274 of LinuxCNC (linuxcnc-uspace) is not installed")
         program = Path(folder, name).read_text()
         tools = sorted(set(re.findall(r"^T(\d+) M6$", program, re.MULTILINE)), key=int)
-        Path(folder, "tools.tbl").write_text("".join(f"T{tool} P{tool} D1 Z0 ;\n" for tool in tools))
+        if table is None:
+            table = "tools.tbl"
+            Path(folder, table).write_text("".join(f"T{tool} P{tool} D1 Z0 ;\n" for tool in tools))
         home = {**os.environ, "HOME": str(folder)}  # where it keeps the tools of a run
-        result = subprocess.run(["rs274", "-g", "-t", "tools.tbl", name], cwd=folder, env=home,
+        result = subprocess.run(["rs274", "-g", "-t", table, name], cwd=folder, env=home,
                                 capture_output=True, text=True, timeout=120, check=False)
         check(result.returncode == 0 and "error" not in result.stderr.lower(),
               f"rs274 refuses the posted program: {(result.stderr or result.stdout)[-300:]}")

@@ -280,3 +280,60 @@ def replay_pwm(box):
     result = box.kerf("pattern", "replay", "a.pat", "--pwm", "w.csv", *bad)
     status(result, 1)
     contains(result.err, "PWM_RANGE", "the alarm")
+
+
+LINKED = "# four at once\nL 12 -7 4 100\nF Z -100\nS 0 -12 7\n"
+FOUR = ["--machine-set", "pattern.link=four"]
+
+
+@test("a listing is replayed, with four linked motors where the machine links them")
+def linked_motors(box):
+    box.write("a.txt", LINKED)
+    result = box.kerf("pattern", "replay", "a.txt", *FOUR, "--summary", "s.json", "--pulses", "p.csv",
+                      "--motion", "m.jsonl", "--points", "q.csv")
+    status(result, 0)
+    contains(result.err, "3 records: 1 fast, 1 triplets, 1 linked", "the summary for people")
+    summary = box.json("s.json")
+    equal(summary["counters"], {"T1": 0, "T2": 0, "T3": 4, "Z": 0}, "counters")
+    equal((summary["pattern"]["linked"], summary["pattern"]["pulses"]), (1, 123 + 100 + 19), "records")
+    made = csv_pulses(box.read("p.csv").decode())
+    half_ns = 4096 * 12 / 11.0592e6 * 1e9
+    for axis, size in (("T1", 12), ("T2", 7), ("T3", 4), ("Z", 100)):
+        times = [pulse[0] for pulse in made if pulse[1] == axis][:size]
+        for k, time_ns in enumerate(times, start=1):  # pulse k rises at (2k - 1) of its half periods
+            near(time_ns, (2 * k - 1) * half_ns * 100 / size, 1100, f"pulse {k} of {axis}")
+    motions = box.motions("m.jsonl")
+    equal([(m["kind"], m["line"]) for m in motions], [("line", 1), ("rapid", 2), ("line", 3)], "motions")
+    equal(motions[0]["to"]["Z"], 1, "Z behind the linked move")
+    rows = rows_of(box.read("q.csv").decode())
+    half_way = min(rows, key=lambda row: abs(row["t"] - 100 * half_ns / 1e9))
+    near(half_way["j4"], 0.5, 0.011, "the lift half way")
+    near(half_way["j3"], 1.5, 0.76, "the wheel half way")
+
+
+@test("a linked move has no bytes, and is no line for a machine that links two motors")
+def linked_without_bytes(box):
+    box.write("a.txt", LINKED)
+    for words in (["encode", "a.txt", "--output", "a.pat"], ["replay", "a.txt"],
+                  ["replay", "a.txt", *FOUR, "--output", "a.pat"]):
+        result = box.kerf("pattern", *words)
+        status(result, 1)
+        contains(result.err, "a.txt:2:", "the place")
+        contains(result.err, "PATTERN_TEXT", "the code")
+        contains(result.err, "bytes", "the reason")
+    equal(box.files(), ["a.txt"], "files behind it")
+
+
+@test("a listing is replayed as the pattern that it becomes")
+def replayed_listing(box):
+    box.write("a.pat", WORKED)
+    box.write("a.txt", "# as a listing\n" + decoded(box, "a.pat"))
+    for name in ("a.pat", "a.txt"):
+        status(box.kerf("pattern", "replay", name, "--motion", name + ".jsonl", "--output", name + ".out"), 0)
+    equal(box.read("a.txt.jsonl"), box.read("a.pat.jsonl"), "motions")
+    equal(box.read("a.txt.out"), WORKED, "the pattern behind it")
+    box.write("a.txt", "F Z 200\nF Q 1\n")
+    result = box.kerf("pattern", "replay", "a.txt", "--summary", "s.json")
+    status(result, 1)
+    contains(result.err, "a.txt:2:3:", "the place")
+    equal((box.json("s.json")["alarm"]["code"], box.json("s.json")["alarm"]["line"]), ("PATTERN_TEXT", 2), "alarm")

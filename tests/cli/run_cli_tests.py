@@ -31,6 +31,7 @@ import edit_case_tests  # noqa: F401
 import edit_tests  # noqa: F401
 import feature_tests  # noqa: F401
 import hostile_stock_tests  # noqa: F401
+import flavour_tests  # noqa: F401
 import input_tests  # noqa: F401
 import laser_tests  # noqa: F401
 import lathe_point_tests  # noqa: F401
@@ -39,6 +40,7 @@ import lathe_row_tests  # noqa: F401
 import library_tests  # noqa: F401
 import limit_tests  # noqa: F401
 import machine_tests  # noqa: F401
+import motion_tests  # noqa: F401
 import name_tests  # noqa: F401
 import offset_tests  # noqa: F401
 import option_tests  # noqa: F401

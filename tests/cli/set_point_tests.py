@@ -228,3 +228,51 @@ def memory(box):
     status(result, 0)
     if harness.MEASURES_MEMORY:
         check(0 < result.peak_kib < 64 * 1024, f"{result.peak_kib} KiB of memory")
+
+
+# X, C and Z of the lens machine at five points, and how long it takes from each to the next at
+# 100 mm/s, 90 degrees/s and 10 mm/s: worked out by hand from the equations of docs/kinematics.md.
+LENS_POINTS = [((60, 0, 0), (35, -10, -5), 0.5), ((0, 60, 0), (35, 80, -5), 1),
+               ((-50, 20, 0), (28.851648, 148.198591, -5), 0.757762),
+               ((-40, -30, 0), (25, 206.869898, -5), 0.651903),
+               ((30, -45, 0), (29.083269, 293.690068, -5), 0.964669)]
+WITHOUT_RAMPS = [word for axis in "XCZ" for key in ("acceleration=1e12", "jerk=0")
+                 for word in ("--machine-set", f"axis.{axis}.{key}")]
+
+
+@test("point to point, the axes of the lens machine start and stop together, in the time of the slowest")
+def point_to_point(box):
+    program = HEAD + "".join(f"G00X{x}.Y{y}.Z{z}.\n" for (x, y, z), _, _ in LENS_POINTS) + "M30\n"
+    for words in (WITHOUT_RAMPS, ["--machine-set", "interpolator.mode=tail"]):
+        rows = points(box, program, "--machine", "laser-xtz", *words)
+        start_s, stood = 0.0, (0, 0, 0)
+        for line, (_, joints, lasts_s) in enumerate(LENS_POINTS, start=3):
+            of_line = [row for row in rows if row["line"] == line]
+            for row in of_line[:-1]:
+                share = (row["t"] - start_s) / lasts_s
+                for n, (begin, end) in enumerate(zip(stood, joints), start=1):
+                    near(row[f"j{n}"], begin + share * (end - begin), 0.3, f"j{n} at {row['t']} s, {words}")
+            for n, joint in enumerate(joints, start=1):
+                near(of_line[-1][f"j{n}"], joint, 1e-6, f"j{n} behind line {line}")
+            near(of_line[-1]["t"] - start_s, lasts_s, 0.00101, f"time of line {line}, {words}")
+            start_s, stood = of_line[-1]["t"], joints
+
+
+def chords(begin, end, count=20000):
+    """Length of the way in proportion from one radius, angle and height to another, mm."""
+    def at(share):
+        r, degrees, z = (b + share * (e - b) for b, e in zip(begin, end))
+        return r * math.cos(math.radians(degrees)), r * math.sin(math.radians(degrees)), z
+    points = [at(n / count) for n in range(count + 1)]
+    return sum(math.dist(a, b) for a, b in zip(points, points[1:]))
+
+
+@test("tip.rapid chooses between straight rapids of the lens machine and those from point to point")
+def rapids_of_the_lens_machine(box):
+    program = HEAD + "G00X60.Y0.Z0.\nX0.Y60.\nM30\n"
+    def nearest(*words):
+        rows = points(box, program, "--machine", "laser-xtz", "--summary", "s.json", *words)
+        return min(math.hypot(row["X"], row["Y"]) for row in rows if row["line"] == 4)
+    near(nearest(), 60, 1e-9, "round the axis")
+    near(box.json("s.json")["rapid_mm"], chords((25, 10, 5), (60, 0, 0)) + math.pi * 30, 1e-6, "length")
+    near(nearest("--machine-set", "tip.rapid=straight"), 60 / math.sqrt(2), 0.01, "straight")

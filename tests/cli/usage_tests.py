@@ -230,15 +230,15 @@ def dialect_of_a_machine(box):
 def help_names(box):
     machines = [line.split()[0] for line in box.kerf("machines").lines()]
     check(len(machines) >= 7, f"machines: {machines}")
-    for command, dialects in (("run", {"fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "pattern"}),
-                              ("check", {"fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "pattern"}),
-                              ("time", {"fanuc-mill", "fanuc-lathe", "laser-basic", "teach"})):
+    for command, dialects in (("run", {"fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "motion", "pattern"}),
+                              ("check", {"fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "motion", "pattern"}),
+                              ("time", {"fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "motion"})):
         text = " ".join(box.kerf(command, "--help").text.split())
         options = text.split("--machine ", 1)[1]
         about_machines = options.split("--dialect", 1)[0]
         for name in machines:
             contains(about_machines, name, f"--machine of {command}")
-        contains(about_machines, "default mill3, lathe2 for fanuc-lathe, laser3 for laser-basic, laser5 for teach", command)
+        contains(about_machines, "default mill3, lathe2 for fanuc-lathe, laser3 for laser-basic, laser5 for teach, mill3 for motion", command)
         about = options.split("--dialect", 1)[1].split(";", 1)[0].split("language: ", 1)[1]
         equal(set(about.split(", ")), dialects, f"--dialect of {command}")
         for dialect in dialects - {"pattern"}:
@@ -250,7 +250,7 @@ def help_names(box):
 @test("--dialect says what there is of a name that it does not take")
 def wrong_dialects(box):
     box.write("part.nc", PROGRAM)
-    there = "; available: fanuc-mill, fanuc-lathe, laser-basic, teach"
+    there = "; available: fanuc-mill, fanuc-lathe, laser-basic, teach, motion"
     refused(box.kerf("run", "part.nc", "--dialect", "foo"), 2,
             "--dialect foo: there is no dialect foo" + there)
     refused(box.kerf("time", "part.nc", "--dialect", "pattern"), 2,

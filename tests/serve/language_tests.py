@@ -22,7 +22,7 @@ def kinds(client, dialect, line):
 @test("the first event tells what there is to know of each dialect")
 def _(place):
     dialects = {d["name"]: d for d in hello(place.serve().client())["dialects"]}
-    equal(list(dialects), ["fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "pattern"], "dialects")
+    equal(list(dialects), ["fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "motion", "pattern"], "dialects")
     equal(dialects["teach"]["comment"], [";", ""], "comment")
     equal(dialects["fanuc-mill"]["shows_by_ending"], False, "G-code has everybody's endings")
     equal([d["name"] for d in dialects.values() if d["is_listing"]], ["pattern"], "listings")

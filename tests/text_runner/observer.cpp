@@ -90,7 +90,10 @@ struct Describe {
            : a.state == Coolant::State::mist ? "coolant mist"
                                              : "coolant flood";
   }
-  std::string operator()(const Power& a) const { return "power " + number(a.percent); }
+  std::string operator()(const Power& a) const {
+    return "power " + number(a.percent) +
+           (a.frequency_hz > 0 ? " at " + number(a.frequency_hz) + " Hz" : "");
+  }
   std::string operator()(const AuxiliaryCode& a) const { return "mcode " + std::to_string(a.code); }
   std::string operator()(const Stop&) const { return "stop"; }
   std::string operator()(const Message& a) const { return "message " + std::string(a.text.view()); }

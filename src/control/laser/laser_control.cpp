@@ -171,6 +171,8 @@ bool LaserControl::move(const basic::Statement& statement, std::span<const doubl
     case StatementKind::circle: return moves_.circle(arguments);
     case StatementKind::wait: return moves_.wait(arguments[0]);
     case StatementKind::burn: return moves_.burn(arguments[0]);
+    case StatementKind::pulse: return moves_.pulse(arguments[0], arguments[1]);
+    case StatementKind::air: return moves_.air(arguments[0]);
     case StatementKind::print:
     case StatementKind::prompt:
     case StatementKind::end: break;

@@ -61,7 +61,8 @@ void LaserMoves::start(const Settings& settings) {
   settings_ = settings;
   outlet_.reset();
   speed_ = highest_speed_;
-  power_ = beam_ = moved_ = 0;
+  power_ = frequency_hz_ = moved_ = 0;
+  beam_ = {};
   power_set_ = speed_set_ = false;
   refresh_position();
 }
@@ -95,9 +96,37 @@ bool LaserMoves::speed(double mm_s) {
 
 bool LaserMoves::power(double percent) {
   if (percent < 0 || percent > 100) return raise(Code::basic_domain, "a power is 0 to 100 percent");
-  power_ = percent;
   power_set_ = true;
-  return beam_ > 0 || outlet_.let_out(motion(motion::Power{percent, false}), tip_);
+  return set_power(percent);
+}
+
+bool LaserMoves::pulse(double on_ms, double off_ms) {
+  if (!(on_ms >= 0 && off_ms >= 0))
+    return raise(Code::basic_domain, "the times of a pulse are 0 ms or more");
+  const double period_ms = on_ms + off_ms;
+  if (period_ms == 0) {
+    frequency_hz_ = 0;
+    return set_power(power_);
+  }
+  constexpr double kLongest_ms = 1e6;
+  if (!(period_ms <= kLongest_ms && period_ms >= 1 / kLongest_ms))
+    return raise(Code::basic_domain, "a pulse and its pause last 0.000001 to 1000000 ms");
+  frequency_hz_ = base::tidy(1000 / period_ms);
+  power_set_ = true;
+  return set_power(base::tidy(100 * on_ms / period_ms));
+}
+
+// Told where the beam is off; in a cut the next one tells it.
+bool LaserMoves::set_power(double percent) {
+  power_ = percent;
+  return beam_.percent > 0 ||
+         outlet_.let_out(motion(motion::Power{percent, false, false, frequency_hz_}), tip_);
+}
+
+bool LaserMoves::air(double on) {
+  using Flow = motion::Coolant::State;
+  if (on != 0 && on != 1) return raise(Code::basic_domain, "AIR is 0, off, or 1, on");
+  return outlet_.let_out(motion(motion::Coolant{on == 1 ? Flow::mist : Flow::off}), tip_);
 }
 
 bool LaserMoves::move(std::span<const double> xy_or_xyz) {
@@ -279,9 +308,11 @@ bool LaserMoves::admits(const TipPoint& from, const motion::Motion& motion) {
 }
 
 bool LaserMoves::set_beam(double percent) {
-  if (percent == beam_) return true;
-  beam_ = percent;
-  return outlet_.let_out(motion(motion::Power{percent}), tip_);
+  motion::Power beam{percent};
+  beam.frequency_hz = percent > 0 ? frequency_hz_ : beam_.frequency_hz;
+  if (beam == beam_) return true;
+  beam_ = beam;
+  return outlet_.let_out(motion(beam), tip_);
 }
 
 void LaserMoves::warn_of_cut() {

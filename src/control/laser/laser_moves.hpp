@@ -60,6 +60,11 @@ class LaserMoves {
   /// Rests, with the beam off, or with the power of POWER and off behind it.
   [[nodiscard]] bool wait(double seconds);
   [[nodiscard]] bool burn(double seconds);
+  /// Pulses that are on and off for so many ms: their frequency and the power; both 0: the
+  /// frequency of the machine, and the power stays.
+  [[nodiscard]] bool pulse(double on_ms, double off_ms);
+  /// 0 or 1: the air that is blown along the beam. For the machine it is coolant as mist.
+  [[nodiscard]] bool air(double on);
   [[nodiscard]] bool end();
   /// The program is over: the beam is off.
   void beam_off();
@@ -94,6 +99,7 @@ class LaserMoves {
   [[nodiscard]] motion::Feed feed() const { return {60 * speed_, motion::FeedMode::per_minute}; }
   [[nodiscard]] motion::Motion flat_motion(const FlatArc& arc) const;
   [[nodiscard]] bool admits(const base::TipPoint& from, const motion::Motion& motion);
+  bool set_power(double percent);
   bool set_beam(double percent);
   void warn_of_cut();
   bool rest(double seconds);
@@ -117,7 +123,8 @@ class LaserMoves {
   double moved_ = 0;
   double speed_ = 0;
   double power_ = 0;
-  double beam_ = 0;  // power of the beam now
+  double frequency_hz_ = 0;  // of its pulses; 0: that of the machine
+  motion::Power beam_;       // as it is now
   bool power_set_ = false;
   bool speed_set_ = false;
 };

@@ -13,7 +13,7 @@ namespace {
 using base::TokenKind;
 
 constexpr std::array<std::string_view, 1> kEndings = {".pat"};
-constexpr std::array kKeyWords = {kFastRecord, kSlowRecord};
+constexpr std::array kKeyWords = {kFastRecord, kSlowRecord, kLinkedRecord};
 
 TokenKind kind_of_value(std::string_view word) {
   if (std::find(kArmAxisNames.begin(), kArmAxisNames.end(), word) != kArmAxisNames.end())
@@ -23,7 +23,8 @@ TokenKind kind_of_value(std::string_view word) {
 }
 
 TokenKind kind_of_head(std::string_view word) {
-  return word == kFastRecord || word == kSlowRecord ? TokenKind::command : TokenKind::error;
+  const bool is_record = std::find(kKeyWords.begin(), kKeyWords.end(), word) != kKeyWords.end();
+  return is_record ? TokenKind::command : TokenKind::error;
 }
 
 void cut(std::string_view line, std::vector<base::Token>& tokens) {

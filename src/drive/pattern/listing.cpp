@@ -18,15 +18,20 @@ void append_field(std::string& text, const PulseField& field) {
 /// The words of one line, from the left.
 class LineParser {
  public:
-  LineParser(std::string_view line, const base::Place& place)
-      : line_(line.substr(0, line.find(kListingComment))), place_(place) {}
+  LineParser(std::string_view line, const base::Place& place, Links links)
+      : line_(line.substr(0, line.find(kListingComment))), place_(place), links_(links) {}
 
   [[nodiscard]] base::Result<ListedMove> parse() {
     const std::string_view kind = next_word();
     if (kind.empty()) return ListedMove{};
     if (kind == kFastRecord) return finished(fast());
     if (kind == kSlowRecord) return finished(slow());
-    return wrong("F or S is expected");
+    if (kind == kLinkedRecord && links_ == Links::none)
+      return wrong(
+          "L links four motors and has no bytes: kerf pattern replay makes it on a machine with "
+          "pattern.link = \"four\"");
+    if (kind == kLinkedRecord) return finished(linked());
+    return wrong(links_ == Links::four ? "F, S or L is expected" : "F or S is expected");
   }
 
  private:
@@ -69,6 +74,19 @@ class LineParser {
     return move;
   }
 
+  base::Result<ListedMove> linked() {
+    using enum ArmAxis;
+    ListedLinked move;
+    for (const ArmAxis axis : {theta1, theta2, theta3, z}) {
+      auto n = count("the pulses of " + std::string(axis_name(axis)));
+      if (!n) return base::unexpected(std::move(n.error()));
+      if (n->size > kMostFastPulses)
+        return wrong(fmt::format("{}: at most {} are linked", axis_name(axis), kMostFastPulses));
+      move.counts[axis] = n->count();
+    }
+    return move;
+  }
+
   base::Result<ListedCount> count(const std::string& of) {
     std::string_view word = next_word();
     ListedCount result;
@@ -92,6 +110,7 @@ class LineParser {
 
   std::string_view line_;
   base::Place place_;
+  Links links_;
   std::size_t at_ = 0;
   std::size_t begin_ = 0;  // of the word read last
 };
@@ -108,8 +127,20 @@ void append_listing(std::string& text, const PatternRecord& record) {
   for (const PulseField& field : std::get<Triplet>(record).fields) append_field(text, field);
 }
 
-base::Result<ListedMove> parse_listing(std::string_view line, const base::Place& place) {
-  return LineParser(line, place).parse();
+base::Result<ListedMove> parse_listing(std::string_view line, const base::Place& place,
+                                       Links links) {
+  return LineParser(line, place, links).parse();
+}
+
+bool begins_listing(std::string_view bytes) {
+  if (bytes.empty()) return false;
+  const char first = bytes[0];
+  if (first == kListingComment || first == '\n' ||
+      kListingBlanks.find(first) != std::string_view::npos)
+    return true;
+  const std::string_view letter = bytes.substr(0, 1);
+  const bool is_record = letter == kFastRecord || letter == kSlowRecord || letter == kLinkedRecord;
+  return is_record && bytes.size() > 1 && bytes[1] == ' ';
 }
 
 }  // namespace kerf::drive

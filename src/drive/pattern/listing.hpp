@@ -10,7 +10,8 @@
 
 namespace kerf::drive {
 
-// Records as lines of text and back (docs/pattern.md, "Listing"): `F AXIS n`, `S n3 n1 n2`.
+// Records as lines of text and back (docs/pattern.md, "Listing"): `F AXIS n`, `S n3 n1 n2`, and
+// `L n1 n2 n3 nz`, which has no bytes.
 
 /// Appends the line of a record, without its end. Axis bits of a triplet are not part of it.
 void append_listing(std::string& text, const PatternRecord& record);
@@ -31,13 +32,26 @@ struct ListedFast {
 struct ListedSlow {
   std::array<ListedCount, 3> counts{};  ///< theta3, theta1, theta2
 };
-/// What one line says: nothing, or a move of any length.
-using ListedMove = std::variant<std::monostate, ListedFast, ListedSlow>;
+/// All four motors together, in the time of the one with the most pulses, at most kMostFastPulses
+/// each.
+struct ListedLinked {
+  ArmCounts counts;
+};
+/// What one line says: nothing, or a move, of any length if it has bytes.
+using ListedMove = std::variant<std::monostate, ListedFast, ListedSlow, ListedLinked>;
+
+/// Whether a listing may have linked moves: for whoever wants bytes it has none.
+enum class Links : std::uint8_t { none, four };
 
 /// Reads one line without its end. Words stand apart by blanks; what follows `#` is a comment.
 /// Error PATTERN_TEXT with column and length; file, line and its start are those of `place`.
 [[nodiscard]] base::Result<ListedMove> parse_listing(std::string_view line,
-                                                     const base::Place& place);
+                                                     const base::Place& place,
+                                                     Links links = Links::none);
+
+/// Whether a file that begins so is a listing. No pattern does, unless its axis bits are lenient: a
+/// triplet has the bits of T1 in its second byte, and no record begins with a blank or `#`.
+[[nodiscard]] bool begins_listing(std::string_view bytes);
 
 inline constexpr char kListingComment = '#';
 /// What stands between the words of a line.
@@ -45,9 +59,10 @@ inline constexpr std::string_view kListingBlanks = " \t\r";
 /// The letters of the records.
 inline constexpr std::string_view kFastRecord = "F";
 inline constexpr std::string_view kSlowRecord = "S";
+inline constexpr std::string_view kLinkedRecord = "L";
 
-/// Calls `take(record)` for each record of a line: one with exactly its numbers where they fit into
-/// a record, else those of the move.
+/// Calls `take(record)` for each record of a line that has bytes: one with exactly its numbers
+/// where they fit into a record, else those of the move.
 template <typename Take>
 void each_record(const ListedMove& move, Take&& take) {
   const auto field = [](const ListedCount& count) {

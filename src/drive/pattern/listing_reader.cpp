@@ -40,7 +40,7 @@ base::Result<std::optional<ListedMove>> ListingReader::next() {
           base::make_error(base::Code::pattern_text, place_,
                            "the line has more than " + std::to_string(kLongestLine) + " bytes"));
     }
-    auto move = parse_listing(line_, place_);
+    auto move = parse_listing(line_, place_, links_);
     if (!move) return base::unexpected(std::move(move.error()));
     if (!std::holds_alternative<std::monostate>(*move)) return *move;
   }

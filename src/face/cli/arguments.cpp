@@ -13,6 +13,22 @@
 namespace kerf::cli {
 namespace {
 
+// How --post is written.
+void add_post(CLI::App& command, CommonOptions& o) {
+  command.add_option("--flavour", o.flavour, "of --post: plain, grbl, linuxcnc or fanuc")
+      ->type_name("NAME");
+  command
+      .add_option("--axes", o.post_axes,
+                  "axes of --post besides X Y Z, as AC; default: all that the flavour has")
+      ->type_name("LETTERS");
+  command
+      .add_option("--post-tools", o.post_tools,
+                  "the table of tools that --post asks its control for: linuxcnc, fanuc")
+      ->type_name("FILE");
+  command.add_flag("--post-strict", o.post_strict,
+                   "--post is not written, and the exit status is 1, where it lost something");
+}
+
 void add_outputs(CLI::App& run, RunOptions& o) {
   const auto file = [&](const char* name, std::string& path, const char* what) {
     run.add_option(name, path, what)->type_name("FILE");
@@ -33,6 +49,7 @@ void add_outputs(CLI::App& run, RunOptions& o) {
                "colours the cuts of --plot by the energy of the laser on each millimetre");
   file("--dprnt", o.dprnt, "what the program prints; default standard output");
   file("--post", o.post, "the path as plain G-code without macros");
+  add_post(run, o);
   file("--teach", o.teach, "the path as taught points, a .tch file");
   file("--coverage", o.coverage, "how often each source line ran, as CSV");
   run.add_flag(
@@ -181,6 +198,7 @@ void add_replay(CLI::App& pattern, PatternOptions& o) {
   file("--pwm", o.pwm, "pulses of a laser, which a pattern never switches on, as CSV");
   file("--rows", o.rows, "moves as rows of feature recognition, as CSV");
   file("--post", o.post, "the path of the tip as plain G-code without macros");
+  add_post(*replay, o);
   file("--plot", o.plot, "picture of the path: .svg or .png");
   replay->add_flag(
       "--keep-partial", o.keep_partial,

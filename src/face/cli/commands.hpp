@@ -24,6 +24,10 @@ struct CommonOptions {
   std::string pwm;
   std::string rows;
   std::string post;
+  std::string flavour;     ///< of the posted program; empty: plain
+  std::string post_axes;   ///< letters of axes that it has besides X Y Z; empty: as the flavour has
+  std::string post_tools;  ///< the table of tools that it asks for
+  bool post_strict = false;
   std::string plot;
   DiagnosticFormat diagnostics = DiagnosticFormat::text;
 };

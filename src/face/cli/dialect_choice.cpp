@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "machine/definition/machine_definition.hpp"
+#include "machine/dialect/motion_look.hpp"
 #include "machine/dialect/program_look.hpp"
 #include "output/writing/diagnostic_text.hpp"
 
@@ -35,9 +36,10 @@ Outcome<DialectChoice> available(DialectChoice choice, Failure::Kind kind,
       Failure{kind, source + ": " + why_not(choice.dialect) + "; available: " + dialect_list()});
 }
 
-std::string machine_of(const std::string& dialect) {
+std::string machine_of(const std::string& dialect, const base::SourceFile& program) {
   const machine::DialectRow* const row = machine::find_dialect(dialect);
-  return std::string(row != nullptr ? row->machine : machine::usual_dialect().machine);
+  return std::string(
+      machine::machine_for(row != nullptr ? *row : machine::usual_dialect(), program));
 }
 
 constexpr const char* kNamed = "named";
@@ -66,7 +68,7 @@ DialectChoice with_machine_for(const std::string& dialect, const base::SourceFil
   const bool turns_c =
       dialect == machine::kLatheDialect && look.kind == machine::ProgramKind::lathe_c;
   const std::string chosen(turns_c ? std::string(machine::usual_machine(look.kind))
-                                   : machine_of(dialect));
+                                   : machine_of(dialect, program));
   const std::string because =
       turns_c ? fmt::format(" and of {} in line {}", look.word, look.line) : "";
   return {dialect,
@@ -90,7 +92,7 @@ std::optional<DialectChoice> shown_by(const base::SourceFile& program, const std
   const machine::DialectRow* const row =
       ending != nullptr ? ending : machine::dialect_by_text(program);
   if (row == nullptr) return std::nullopt;
-  const std::string chosen(machine.empty() ? row->machine : machine);
+  const std::string chosen(machine.empty() ? machine::machine_for(*row, program) : machine);
   const char* const because =
       ending != nullptr ? " because of the file's ending" : " because of the first lines";
   return DialectChoice{std::string(row->name),

@@ -65,6 +65,10 @@ Outcome<void> OutputFiles::commit(File& file) {
   return committed;
 }
 
+void OutputFiles::leave_out(const std::string& path) {
+  std::erase_if(files_, [&](const File& file) { return file.file->path() == path; });
+}
+
 Outcome<void> OutputFiles::commit(Which which) {
   Outcome<void> result;
   for (File& file : files_) {

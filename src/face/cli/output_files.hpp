@@ -39,6 +39,8 @@ class OutputFiles {
   /// Of the file that was opened last: writes what is known only behind the run.
   void when_over(Finish finish) { files_.back().finish = std::move(finish); }
 
+  /// An open file is not to be completed: it is removed.
+  void leave_out(const std::string& path);
   enum class Which : std::uint8_t { all, records_only };
   /// Completes the files; those left out are removed. Failure (output): the first one that did not
   /// reach the disk; the others are written.

@@ -6,8 +6,6 @@
 #include "face/cli/failure.hpp"
 #include "job/facts_of_run.hpp"
 #include "machine/dialect/taught_for.hpp"
-#include "output/programs/lathe_post.hpp"
-#include "output/programs/post.hpp"
 #include "output/programs/taught_program.hpp"
 #include "output/records/laser_pulses.hpp"
 #include "output/records/lathe_row_csv.hpp"
@@ -46,8 +44,9 @@ Outcome<void> Outputs::open_prints() {
 
 Outcome<void> Outputs::open_motion() {
   return files_.open(options_.motion, kRecord, [&](OutputFile& file) {
-    add(std::make_unique<output::MotionJson>(machine_.definition().axes, &machine_.sources(),
-                                             file));
+    add(std::make_unique<output::MotionJson>(
+        machine_.definition().axes, &machine_.sources(), file,
+        output::MotionJson::Origin{job::source_of(machine_), &machine_.memory()}));
   });
 }
 
@@ -91,20 +90,9 @@ Outcome<void> Outputs::open_rows() {
 }
 
 Outcome<void> Outputs::open_post() {
-  return files_.open(options_.post, kDrives, [&](OutputFile& file) {
-    const machine::MachineDefinition& definition = machine_.definition();
-    const auto write = [&](auto post) {
-      files_.when_over([this, writer = post.get()](OutputFile&) {
-        writer->finish();
-        remarks_ += writer->remark();
-        post_report_ = writer->json();
-      });
-      add(std::move(post));
-    };
-    const std::string title = job::title_of(machine_);
-    definition.axes.turns() ? write(std::make_unique<output::LathePost>(definition, title, file))
-                            : write(std::make_unique<output::Post>(definition, title, file));
-  });
+  auto opened = post_.open(machine_.definition(), job::title_of(machine_));
+  if (opened && post_.writer() != nullptr) machine_.add_sink(*post_.writer());
+  return opened;
 }
 
 Outcome<void> Outputs::open_pattern() {
@@ -202,6 +190,7 @@ Outcome<void> Outputs::open_plot() {
     files_.when_over([this, picture = plot.get()](OutputFile& into) {
       into.write(is_png(options_.plot) ? picture->png() : picture->svg());
       remarks_ += picture->remark();
+      energy_ = picture->energy_json();
     });
     add(std::unique_ptr<motion::MotionSink>(std::move(plot)));
   });
@@ -214,7 +203,8 @@ output::SummaryOfOutputs Outputs::in_summary() const {
     members.pattern = pattern_report_
                           ? engraver::pattern_json(*pattern_report_, machine_.definition().pattern)
                           : "null";
-  if (!options_.post.empty()) members.post = post_report_.empty() ? "null" : post_report_;
+  if (!options_.post.empty()) members.post = post_.report().empty() ? "null" : post_.report();
+  members.energy = energy_;
   members.stock = stock_;
   return members;
 }
@@ -247,8 +237,11 @@ Outcome<void> Outputs::open() {
 
 Outcome<void> Outputs::commit() {
   const bool at_end = machine_.status() == machine::RunStatus::end;
-  return files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
-                                                       : OutputFiles::Which::records_only);
+  if (at_end) post_.judge();
+  auto committed = files_.commit(
+      at_end || options_.keep_partial ? OutputFiles::Which::all : OutputFiles::Which::records_only);
+  remarks_ += post_.remark();
+  return committed;
 }
 
 }  // namespace kerf::cli

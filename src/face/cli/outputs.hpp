@@ -10,6 +10,7 @@
 #include "engraver/pattern_maker.hpp"
 #include "engraver/pattern_plot.hpp"
 #include "face/cli/commands.hpp"
+#include "face/cli/internal/post_output.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/ready_run.hpp"
 #include "machine/run/batch_run.hpp"
@@ -25,7 +26,7 @@ class Outputs {
  public:
   /// Both must outlive the outputs, which the machine of the run must not run without.
   Outputs(const RunOptions& options, const ReadyRun& ready)
-      : options_(options), ready_(ready), machine_(ready.machine()) {}
+      : options_(options), ready_(ready), machine_(ready.machine()), post_(options, files_) {}
 
   /// What was found in the run's stock, for the summary.
   void tell_stock(output::CheckedStock checked) { stock_ = std::move(checked); }
@@ -37,6 +38,8 @@ class Outputs {
   /// Completes the files of a run that is over. Failure (output): the first one that did not reach
   /// the disk; the others are written.
   [[nodiscard]] base::Outcome<void> commit();
+  /// A demand on an output is not met, though the run ended well.
+  [[nodiscard]] bool fails() const { return post_.fails(); }
   /// The files that commit() has written, for people.
   [[nodiscard]] const std::vector<std::string>& written() const { return files_.written(); }
   /// What else outputs have to say behind the run, for people: indented lines.
@@ -75,9 +78,10 @@ class Outputs {
   std::unique_ptr<engraver::PatternPlot> pattern_plot_;
   engraver::PatternMaker* pattern_maker_ = nullptr;
   std::optional<engraver::PatternReport> pattern_report_;  // of a pattern that was written
-  std::string post_report_;  // JSON, of a posted program that was written
+  PostOutput post_;
   output::Coverage coverage_;
   std::string remarks_;
+  std::string energy_;  // of a plot that has it, for the summary
   std::optional<output::CheckedStock> stock_;
 };
 

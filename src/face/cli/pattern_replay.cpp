@@ -7,16 +7,17 @@
 
 #include "base/decimal.hpp"
 #include "control/core/memory.hpp"
+#include "drive/pattern/listing_reader.hpp"
 #include "drive/pattern/reader.hpp"
 #include "drive/pattern/writer.hpp"
 #include "engraver/replay_plot.hpp"
 #include "engraver/replay_summary.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/internal/post_output.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/pattern_files.hpp"
 #include "face/cli/setting.hpp"
 #include "output/picture/path_plot.hpp"
-#include "output/programs/post.hpp"
 #include "output/records/laser_pulses.hpp"
 #include "output/records/motion_json.hpp"
 #include "output/records/row_csv.hpp"
@@ -48,6 +49,7 @@ class Replay {
         definition_(machine.definition()),
         format_(format_of(options, definition_.pattern.byte_order)),
         replay_(machine),
+        post_(options, files_),
         no_tools_(definition_.parameters.n_offsets) {
     replay_.break_off_when([this] { return time_is_over(); });
   }
@@ -66,11 +68,18 @@ class Replay {
   Outcome<void> open_plot();
   Outcome<void> open_summary();
   base::Result<void> play();
+  base::Result<void> play_bytes();
+  base::Result<void> play_listing();
+  [[nodiscard]] bool is_listing() const;
   [[nodiscard]] bool time_is_over() const;
-  [[nodiscard]] bool spent(std::uint64_t offset);
+  [[nodiscard]] bool spent();
   [[nodiscard]] ExitStatus status() const;
-  base::Result<void> take(const drive::PatternRecord& record, std::uint64_t offset);
-  base::Result<void> return_to_start(std::uint64_t offset);
+  base::Result<void> take(const drive::PatternRecord& record);
+  base::Result<void> take(const drive::ListedLinked& linked);
+  base::Result<void> take_move(const drive::ListedMove& move);
+  base::Result<void> followed(base::Result<void> made) const;
+  void stand_here(base::Diagnostic& diagnostic) const;
+  base::Result<void> return_to_start();
   Outcome<void> commit();
   void tell() const;
 
@@ -82,7 +91,12 @@ class Replay {
   engraver::ReplaySummary summary_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<base::Diagnostic> notice_;  // why a budget ended the replay
+  // Of the record that is made: where it stands in the file, by the byte or, in a listing, the
+  // line.
+  std::optional<std::uint64_t> offset_;
+  base::Place place_{.file = kPatternFile};
   OutputFiles files_;
+  PostOutput post_;
   std::unique_ptr<drive::PatternWriter> writer_;
   std::unique_ptr<output::MotionJson> motion_;
   std::unique_ptr<output::SetPointCsv> points_;
@@ -91,7 +105,6 @@ class Replay {
   std::optional<base::Diagnostic> laser_alarm_;
   control::Memory no_tools_;
   std::unique_ptr<output::RowCsv> rows_;
-  std::unique_ptr<output::Post> post_;
   std::unique_ptr<output::PathPlot> plot_;
   std::unique_ptr<engraver::ReplayPlot> way_to_plot_;
 };
@@ -146,11 +159,10 @@ Outcome<void> Replay::open_rows() {
 }
 
 Outcome<void> Replay::open_post() {
-  return files_.open(options_.post, OutputFiles::Kind::drives_a_machine, [&](OutputFile& file) {
-    post_ = std::make_unique<output::Post>(definition_, output::file_title(options_.file), file);
-    replay_.add_sink(static_cast<motion::MotionSink&>(*post_));
-    files_.when_over([this](OutputFile&) { post_->finish(); });
-  });
+  auto opened = post_.open(definition_, output::file_title(options_.file));
+  if (opened && post_.writer() != nullptr)
+    replay_.add_sink(static_cast<motion::MotionSink&>(*post_.writer()));
+  return opened;
 }
 
 Outcome<void> Replay::open_plot() {
@@ -183,23 +195,44 @@ Outcome<void> Replay::open() {
   return {};
 }
 
-base::Result<void> Replay::take(const drive::PatternRecord& record, std::uint64_t offset) {
-  auto made = replay_.take(record);
-  if (made && laser_alarm_) made = base::unexpected(*laser_alarm_);
-  if (!made) {
-    made.error().place.file = kPatternFile;
-    made.error().offset = offset;
-    return made;
-  }
-  if (writer_) writer_->write(record);
-  return {};
+void Replay::stand_here(base::Diagnostic& diagnostic) const {
+  diagnostic.place = place_;
+  diagnostic.offset = offset_;
 }
 
-base::Result<void> Replay::return_to_start(std::uint64_t offset) {
+base::Result<void> Replay::followed(base::Result<void> made) const {
+  if (made && laser_alarm_) made = base::unexpected(*laser_alarm_);
+  if (!made) stand_here(made.error());
+  return made;
+}
+
+base::Result<void> Replay::take(const drive::PatternRecord& record) {
+  auto made = followed(replay_.take(record));
+  if (made && writer_) writer_->write(record);
+  return made;
+}
+
+base::Result<void> Replay::take(const drive::ListedLinked& linked) {
+  if (!writer_) return followed(replay_.take(linked));
+  return followed(base::unexpected(base::make_error(
+      base::Code::pattern_text, place_, "L has no bytes, and --output writes a pattern")));
+}
+
+// A line of a listing, which may be many records.
+base::Result<void> Replay::take_move(const drive::ListedMove& move) {
+  if (const auto* const linked = std::get_if<drive::ListedLinked>(&move)) return take(*linked);
+  base::Result<void> made;
+  drive::each_record(move, [&](const drive::PatternRecord& record) {
+    if (made && !spent()) made = take(record);
+  });
+  return made;
+}
+
+base::Result<void> Replay::return_to_start() {
   base::Result<void> made;
   for (const drive::FastMove& move : replay_.machine().way_to_start(replay_.counters())) {
     drive::each_record(move, [&](const drive::FastRecord& record) {
-      if (made && !spent(offset)) made = take(record, offset);
+      if (made && !spent()) made = take(record);
     });
   }
   return made;
@@ -210,57 +243,79 @@ bool Replay::time_is_over() const {
   return options_.max_seconds > 0 && elapsed.count() > options_.max_seconds;
 }
 
-// Whether a budget allows no record at this byte.
-bool Replay::spent(std::uint64_t offset) {
+// Whether a budget allows no record here.
+bool Replay::spent() {
   constexpr std::uint64_t kBetweenLooks = 16;  // at the clock, records
-  const engraver::PatternReplay::Totals& totals = replay_.totals();
   if (notice_) return true;
   const bool enough =
       options_.max_motions > 0 && replay_.statistics().motions() >= options_.max_motions;
-  const bool looks = (totals.fast + totals.triplets) % kBetweenLooks == 0;
+  const bool looks = replay_.totals().records() % kBetweenLooks == 0;
   const bool late = replay_.broken_off() || (looks && time_is_over());
   if (!enough && !late) return false;
   notice_ = base::make_error(
-      base::Code::budget_spent, {.file = kPatternFile},
+      base::Code::budget_spent, {},
       enough ? "the motions allowed are made"
              : base::number_text(options_.max_seconds) + " s of computing are over");
   notice_->severity = base::Severity::warning;
-  notice_->offset = offset;
+  stand_here(*notice_);
   summary_.budget_spent = true;
   return true;
 }
 
-// Back to the start also from where an alarm has stopped it.
-base::Result<void> Replay::play() {
+// A listing is told by its beginning; whoever reads lenient axis bits has bytes.
+bool Replay::is_listing() const {
+  std::array<char, 2> head{};
+  const std::size_t size = sources_[kPatternFile].read(0, head);
+  return !options_.lenient && drive::begins_listing({head.data(), size});
+}
+
+base::Result<void> Replay::play_bytes() {
   drive::PatternReader reader(sources_[kPatternFile], kPatternFile, format_);
-  base::Result<void> made;
-  std::uint64_t offset = 0;
   for (;;) {
     auto record = reader.next();
-    offset = reader.offset();
-    if (!record) made = base::unexpected(std::move(record.error()));
-    if (!record || !*record || spent(offset)) break;
-    made = take(**record, offset);
-    if (!made) break;
+    offset_ = reader.offset();
+    if (!record) return base::unexpected(std::move(record.error()));
+    if (!*record || spent()) return {};
+    if (auto made = take(**record); !made) return made;
   }
+}
+
+base::Result<void> Replay::play_listing() {
+  const bool linked = definition_.pattern.link == machine::PatternSettings::Link::four;
+  drive::ListingReader reader(sources_[kPatternFile], kPatternFile,
+                              linked ? drive::Links::four : drive::Links::none);
+  for (;;) {
+    auto move = reader.next();
+    place_ = reader.place();
+    if (!move) return base::unexpected(std::move(move.error()));
+    if (!*move || spent()) return {};
+    if (auto made = take_move(**move); !made) return made;
+  }
+}
+
+// Back to the start also from where an alarm has stopped it.
+base::Result<void> Replay::play() {
+  auto made = is_listing() ? play_listing() : play_bytes();
   if (!options_.return_to_start) return made;
   if (notice_) {
     notice_->message += "; it does not return to the start";
     return made;
   }
-  auto returned = return_to_start(offset);
+  auto returned = return_to_start();
   return made ? returned : made;
 }
 
 Outcome<void> Replay::commit() {
   const bool at_end = !summary_.alarm && !notice_;
+  if (at_end) post_.judge();
   return files_.commit(at_end || options_.keep_partial ? OutputFiles::Which::all
                                                        : OutputFiles::Which::records_only);
 }
 
 ExitStatus Replay::status() const {
   if (summary_.alarm) return ExitStatus::findings;
-  return notice_ ? ExitStatus::budget : ExitStatus::well;
+  if (notice_) return ExitStatus::budget;
+  return post_.fails() ? ExitStatus::findings : ExitStatus::well;
 }
 
 void Replay::tell() const {
@@ -270,7 +325,7 @@ void Replay::tell() const {
         base::make_error(base::Code::joint_limit, {.file = kPatternFile},
                          "record " + std::to_string(record) + ": " + sentence);
     warning.severity = base::Severity::warning;
-    warning.offset = (record - 1) * drive::kRecordBytes;
+    if (offset_) warning.offset = (record - 1) * drive::kRecordBytes;
     report(warning, sources_, options_.diagnostics);
   }
   if (notice_) report(*notice_, sources_, options_.diagnostics);

@@ -70,11 +70,13 @@ ExitStatus make(const RunOptions& options, const ReadyRun& ready, const TableRun
       return fail(written.error());
   }
   report(options, ready, outputs);
-  if (table == nullptr) return exit_status_of(status);
+  const ExitStatus made = outputs.fails() && exit_status_of(status) == ExitStatus::well
+                              ? ExitStatus::findings
+                              : exit_status_of(status);
+  if (table == nullptr) return made;
   report_stock(options, table->facts, table->cut.run->machine().sources());
-  const bool is_well = exit_status_of(status) == ExitStatus::well;
-  return is_well && fails(table->set_up, table->facts) ? ExitStatus::findings
-                                                       : exit_status_of(status);
+  const bool is_well = made == ExitStatus::well;
+  return is_well && fails(table->set_up, table->facts) ? ExitStatus::findings : made;
 }
 
 }  // namespace

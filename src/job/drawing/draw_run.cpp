@@ -103,7 +103,9 @@ DrawResult make_drawing(const DrawOrder& order, const std::shared_ptr<const Draw
   for (motion::MotionSink* const sink : watchers.motions) run.add_sink(*sink);
   for (motion::AxisPointSink* const sink : watchers.points) run.add_point_sink(*sink);
   run.load(named_like(*plan));
+  if (watchers.prepare) watchers.prepare(run);
   result.status = run.run_to_end(budget);
+  if (watchers.finish) watchers.finish();
   if (run.alarm()) result.findings.push_back({*run.alarm(), {}, {}});
   if (run.notice()) result.findings.push_back({*run.notice(), {}, {}});
   result.made = meter.all();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -24,6 +25,9 @@ struct DrawResult {
 struct DrawWatchers {
   std::vector<motion::MotionSink*> motions;
   std::vector<motion::AxisPointSink*> points;
+  /// Before the run and behind it, while its machine is there; may be empty.
+  std::function<void(machine::BatchRun&)> prepare;
+  std::function<void()> finish;
 };
 
 /// Has a machine of the order's definition make it: times and energies, and whether it stays within

@@ -56,7 +56,10 @@ process::MachineFacts facts_of(const machine::MachineDefinition& definition) {
   facts.makes_patterns = definition.dialect == "pattern";
   facts.max_power_w = definition.drive.laser.max_power_w;
   facts.frequency_hz = definition.drive.laser.pwm_frequency_hz;
-  facts.kerf_mm = definition.drive.laser.spot_mm;
+  facts.kerf_mm = definition.drive.laser.width_of_cut();
+  facts.focus_mm = definition.drive.laser.focus_mm;
+  facts.gas = definition.drive.laser.gas;
+  facts.z_first = definition.tip.z_first;
   facts.fastest_feed = std::numeric_limits<double>::infinity();
   for (const char letter : {'X', 'Y'}) {
     if (const auto axis = facts.axes.find(letter))

@@ -6,7 +6,7 @@
 
 namespace kerf::basic {
 
-/// The words of the language; those behind `function` are functions, those from `home` to `burn`
+/// The words of the language; those behind `function` are functions, those from `home` to `air`
 /// tell the machine what to do.
 enum class Word : std::uint8_t {
   none,
@@ -33,6 +33,8 @@ enum class Word : std::uint8_t {
   circle,
   wait,
   burn,
+  pulse,
+  air,
   local,
   and_,
   or_,
@@ -67,7 +69,7 @@ enum class Word : std::uint8_t {
 [[nodiscard]] constexpr bool is_function(Word word) { return word > Word::function; }
 
 [[nodiscard]] constexpr bool is_command(Word word) {
-  return word >= Word::home && word <= Word::burn;
+  return word >= Word::home && word <= Word::air;
 }
 
 /// The word of this text in capitals; `none` when it is a name.

@@ -27,6 +27,8 @@ std::optional<MachineStatement> machine_statement_of(Word word) {
     case Word::arc: return MachineStatement{StatementKind::arc, 4, 6};
     case Word::wait: return MachineStatement{StatementKind::wait, 1, 1};
     case Word::burn: return MachineStatement{StatementKind::burn, 1, 1};
+    case Word::pulse: return MachineStatement{StatementKind::pulse, 2, 2};
+    case Word::air: return MachineStatement{StatementKind::air, 1, 1};
     default: return std::nullopt;
   }
 }
@@ -391,8 +393,8 @@ void LineCompiler::local(TokenStream& tokens, const Token& first) {
     emitter_.emit({Op::save_variable, 0, 0, 0, Emitter::slot_of(variable)});
 }
 
-// ( "SPEED" | "POWER" | "MOVE" | "LINE" | "ARC" | "CIRCLE" | "WAIT" | "BURN" )
-//   "(" expr { "," expr } ")"
+// ( "SPEED" | "POWER" | "MOVE" | "LINE" | "ARC" | "CIRCLE" | "WAIT" | "BURN" |
+//   "PULSE" | "AIR" ) "(" expr { "," expr } ")"
 void LineCompiler::machine_statement(TokenStream& tokens, const Token& first) {
   const MachineStatement statement = *machine_statement_of(first.word);
   if (!tokens.peek().is(Delimiter::open))

@@ -30,6 +30,8 @@ enum class StatementKind : std::uint8_t {
   circle,
   wait,
   burn,
+  pulse,
+  air,
   end
 };
 

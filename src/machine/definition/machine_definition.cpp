@@ -81,6 +81,12 @@ std::string change_point(MachineDefinition& machine, const PointKey& key, std::s
   return {};
 }
 
+std::string change_gas(MachineDefinition& machine, std::string_view text) {
+  if (!is_gas(text)) return std::string(kGasInWords) + " is expected";
+  machine.drive.laser.gas = text;
+  return {};
+}
+
 std::string change_any(MachineDefinition& machine, std::string_view path, std::string_view text) {
   const auto [table, item] = split_path(path);
   if (table == "axis") return change_axis(machine, item, text);
@@ -89,6 +95,7 @@ std::string change_any(MachineDefinition& machine, std::string_view path, std::s
   if (table == "m_codes") return change_m_codes(machine.parameters.machine_codes, item, text);
   if (const PointKey* const key = find_point_key(table, item))
     return change_point(machine, *key, text);
+  if (table == "beam" && item == kBeamGas) return change_gas(machine, text);
   const MachineKey* const key = find_machine_key(table, item);
   if (key != nullptr && !key->belongs_to(machine.kinematics.kind))
     return type_in_words(machine) + " has no such key";
@@ -114,9 +121,11 @@ base::Outcome<void> MachineDefinition::set(std::string_view key, std::string_vie
   std::string objection = change_any(changed, key, value);
   if (objection.empty()) objection = drive_objection(changed.drive);
   if (objection.empty()) objection = complete(changed);
+  const std::string of_timer = timer_objection(changed.drive);
+  if (objection.empty()) objection = of_timer;
   if (!objection.empty()) {
     return tl::unexpected(base::Failure{
-        base::Failure::Kind::usage,
+        objection == of_timer ? base::Failure::Kind::input : base::Failure::Kind::usage,
         "--machine-set " + std::string(key) + "=" + std::string(value) + ": " + objection});
   }
   *this = std::move(changed);

@@ -22,8 +22,8 @@
 namespace kerf::machine {
 
 /// Languages that programs are written in. Kerf reads the first one; the others have their names.
-inline constexpr std::array<std::string_view, 5> kDialects = {"fanuc-mill", "fanuc-lathe",
-                                                              "laser-basic", "teach", "pattern"};
+inline constexpr std::array<std::string_view, 6> kDialects = {
+    "fanuc-mill", "fanuc-lathe", "laser-basic", "teach", "motion", "pattern"};
 
 /// The one of lathes.
 inline constexpr std::string_view kLatheDialect = kDialects[1];
@@ -61,8 +61,8 @@ struct MachineDefinition {
 
   /// `--machine-set`: changes axis.NAME.KEY, spindle.NAME.KEY or TABLE.KEY, any number or word of
   /// the tables axis, spindle, m_codes, g_codes, tip, kinematics, interpolator, drive, beam,
-  /// pattern (docs/machine-file.md) but what makes another machine of it. Failure (usage): then
-  /// nothing has changed.
+  /// pattern (docs/machine-file.md) but what makes another machine of it. Failure (usage; input: of
+  /// a timer that no machine has at its laser): then nothing has changed.
   [[nodiscard]] base::Outcome<void> set(std::string_view key, std::string_view value);
 
   /// `--param`, `[control]`: changes a parameter of the control (control::Parameters::set()).

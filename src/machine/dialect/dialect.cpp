@@ -4,6 +4,7 @@
 
 #include "machine/dialect/internal/basic_dialect.hpp"
 #include "machine/dialect/internal/gcode_dialect.hpp"
+#include "machine/dialect/internal/motion_dialect.hpp"
 #include "machine/dialect/internal/pattern_dialect.hpp"
 #include "machine/dialect/internal/plan_dialect.hpp"
 #include "machine/dialect/internal/teach_dialect.hpp"
@@ -39,6 +40,7 @@ std::unique_ptr<Dialect> make_dialect(std::string_view name, const Dialect::Arou
       return std::make_unique<GcodeDialect>(around, row->codes(around.definition.parameters));
     case DialectRow::Kind::basic: return std::make_unique<BasicDialect>(around);
     case DialectRow::Kind::teach: return std::make_unique<TeachDialect>(around);
+    case DialectRow::Kind::motion: return std::make_unique<MotionDialect>(around);
     case DialectRow::Kind::pattern: return std::make_unique<PatternDialect>(around);
   }
   return nullptr;

@@ -46,22 +46,42 @@ base::Result<void> PatternMotors::make(const drive::PatternRecord& record) {
   const std::int64_t begin = drive_.now_ticks();
   auto made = std::visit([this](const auto& r) { return make_moves(r); }, record);
   if (!made) return made;
-  const TipPoint to = tidied(machine_->tip_at(drive_.counters()));
-  const AxisVector way = to - tip_;
-  tip_ = to;
-  motion_.reset();
-  if (way == AxisVector{}) return {};
-  motion_.emplace();
-  if (std::holds_alternative<drive::FastRecord>(record)) {
-    motion_->action = motion::Rapid{to, false};
-    return {};
+  if (!std::holds_alternative<drive::FastRecord>(record)) {
+    cut_since(begin);
+  } else if (arrive()) {
+    motion_->action = motion::Rapid{tip_, false};
   }
-  const double mm = math::hypot(way[machine_->x()], way[machine_->y()]);
+  return {};
+}
+
+base::Result<void> PatternMotors::make_linked(const drive::ArmCounts& counts) {
+  const std::int64_t begin = drive_.now_ticks();
+  auto made = drive_.linked(counts);
+  if (made) cut_since(begin);
+  return made;
+}
+
+// False: nothing has moved. Else there is a motion, and its action is the caller's to say.
+bool PatternMotors::arrive() {
+  const TipPoint to = tidied(machine_->tip_at(drive_.counters()));
+  motion_.reset();
+  if (to == tip_) return false;
+  tip_ = to;
+  motion_.emplace();
+  return true;
+}
+
+void PatternMotors::cut_since(std::int64_t begin) {
+  const TipPoint from = tip_;
+  if (!arrive()) return;
+  const AxisVector way = tip_ - from;
+  const double flat = math::hypot(way[machine_->x()], way[machine_->y()]);
+  const double rise = way[machine_->z()];
+  const double mm = rise == 0 ? flat : math::hypot(flat, rise);
   const double ns = static_cast<double>(nanoseconds(drive_.now_ticks() - begin));
   const double minutes = ns / kNanoseconds / motion::kSecondsPerMinute;
   const double length = mm > 0 ? mm : std::fabs(way[machine_->c()]);
-  motion_->action = motion::Line{to, {length / minutes, motion::FeedMode::per_minute}};
-  return {};
+  motion_->action = motion::Line{tip_, {length / minutes, motion::FeedMode::per_minute}};
 }
 
 base::Result<void> PatternMotors::make_moves(const drive::FastRecord& record) {

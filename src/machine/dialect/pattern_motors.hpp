@@ -22,9 +22,12 @@ class PatternMotors {
 
   /// Makes the next record. Error TIMER_OVERFLOW: nothing of it has moved.
   [[nodiscard]] base::Result<void> make(const drive::PatternRecord& record);
+  /// All four together, for a machine with PatternSettings::Link::four. Error as make().
+  [[nodiscard]] base::Result<void> make_linked(const drive::ArmCounts& counts);
 
-  /// What the last record was of the tip: a line at the feed that it had for a triplet, a rapid for
-  /// a fast record, without program, line and file. Nothing: it has moved nothing.
+  /// What the last record was of the tip: a line at the feed that it had for a triplet and a linked
+  /// move, a rapid for a fast record, without program, line and file. Nothing: it has moved
+  /// nothing.
   [[nodiscard]] const std::optional<motion::Motion>& motion() const { return motion_; }
   [[nodiscard]] const base::TipPoint& tip() const { return tip_; }
   [[nodiscard]] const drive::ArmCounts& counters() const { return drive_.counters(); }
@@ -41,6 +44,9 @@ class PatternMotors {
   [[nodiscard]] double joint_at(std::size_t joint) const;
   base::Result<void> make_moves(const drive::FastRecord& record);
   base::Result<void> make_moves(const drive::Triplet& triplet);
+  /// The tip has gone to where the counters are now, by a line that began at `begin` ticks.
+  void cut_since(std::int64_t begin);
+  [[nodiscard]] bool arrive();
   [[nodiscard]] std::int64_t nanoseconds(std::int64_t ticks) const;
 
   const PatternMachine* machine_;

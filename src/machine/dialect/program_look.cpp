@@ -140,6 +140,7 @@ ProgramKind kind_of(DialectRow::Kind dialect) {
     case DialectRow::Kind::gcode: break;
     case DialectRow::Kind::basic: return ProgramKind::laser_basic;
     case DialectRow::Kind::teach: return ProgramKind::teach;
+    case DialectRow::Kind::motion: return ProgramKind::motion;
     case DialectRow::Kind::pattern: return ProgramKind::pattern;
   }
   return ProgramKind::any;
@@ -155,8 +156,8 @@ bool turns(const MachineDefinition& machine) { return machine.dialect == kLatheD
 }  // namespace
 
 std::string_view name_of(ProgramKind kind) {
-  constexpr std::array<std::string_view, 8> kNames = {"any",   "mill",        "lathe", "lathe-c",
-                                                      "laser", "laser-basic", "teach", "pattern"};
+  constexpr std::array<std::string_view, 9> kNames = {
+      "any", "mill", "lathe", "lathe-c", "laser", "laser-basic", "teach", "motion", "pattern"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -171,7 +172,8 @@ bool suits(const MachineDefinition& machine, ProgramKind kind) {
   const bool is_arm = machine.linkage == "arm";
   const bool beams = machine.drive.laser.fitted();
   switch (kind) {
-    case ProgramKind::any: return true;
+    case ProgramKind::any:
+    case ProgramKind::motion: return true;
     case ProgramKind::mill: return !beams && !is_arm && !turns(machine) && has_axes(machine, "XYZ");
     case ProgramKind::lathe: return turns(machine);
     case ProgramKind::lathe_c: return turns(machine) && has_axes(machine, "C");
@@ -192,6 +194,7 @@ std::string_view usual_machine(ProgramKind kind) {
     case ProgramKind::laser: return "laser3";
     case ProgramKind::laser_basic:
     case ProgramKind::teach:
+    case ProgramKind::motion:
     case ProgramKind::pattern: return find_dialect(name_of(kind))->machine;
   }
   return {};

@@ -18,6 +18,7 @@ enum class ProgramKind : std::uint8_t {
   laser,        ///< G-code whose S is the power of a beam
   laser_basic,  ///< laser BASIC
   teach,        ///< taught points
+  motion,       ///< motion records; for which machine, machine_for() tells
   pattern       ///< bytes of the pattern database of the engraving arm
 };
 

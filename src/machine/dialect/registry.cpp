@@ -7,6 +7,7 @@
 #include "drive/pattern/language.hpp"
 #include "lang/basic/language.hpp"
 #include "lang/gcode/language.hpp"
+#include "lang/records/language.hpp"
 #include "lang/teach/language.hpp"
 
 namespace kerf::machine {
@@ -51,6 +52,7 @@ std::span<const DialectRow> dialects() {
       DialectRow{Kind::gcode, kLatheDialect, &gcode::language(), "lathe2", codes_of_lathes},
       DialectRow{Kind::basic, "laser-basic", &basic::language(), "laser3"},
       DialectRow{Kind::teach, "teach", &teach::language(), "laser5"},
+      DialectRow{Kind::motion, kMotionDialect, &records::language(), "mill3"},
       DialectRow{Kind::pattern, kPatternDialect, &drive::pattern_language(), "arm4"}};
   return rows;
 }

@@ -19,15 +19,17 @@ inline constexpr const char* kPatternDialect = "pattern";
 
 /// What a run is called that makes motions which were planned: no language of programs.
 inline constexpr const char* kDrawingDialect = "drawing";
+/// The dialect of motion records.
+inline constexpr const char* kMotionDialect = "motion";
 
 /// A dialect that Kerf runs: a language, and what executes it.
 struct DialectRow {
-  enum class Kind : std::uint8_t { gcode, basic, teach, pattern };
+  enum class Kind : std::uint8_t { gcode, basic, teach, motion, pattern };
 
   Kind kind{};
   std::string_view name;  ///< of kDialects
   const base::Language* language = nullptr;
-  std::string_view machine;  ///< built-in one that runs it where none is named
+  std::string_view machine;  ///< built-in one that runs it where none is named; machine_for()
   /// Of G-code: what its codes mean.
   const control::CodeTable& (*codes)(const control::Parameters&) = nullptr;
 };
@@ -43,7 +45,7 @@ struct DialectRow {
 
 // Which dialect a program is in, as far as it shows; otherwise that of its machine.
 
-/// By the ending of a file: `.bas`, `.tch`, `.pat`. Null: any, G-code above all.
+/// By the ending of a file: `.bas`, `.tch`, `.jsonl`, `.pat`. Null: any, G-code above all.
 [[nodiscard]] const DialectRow* dialect_by_ending(const std::string& path);
 /// By the first line that only one language has. Null: no such line comes before one of any
 /// language, or within 4 KiB.

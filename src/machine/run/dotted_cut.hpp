@@ -23,6 +23,7 @@ class DottedCut {
 
   LaserSettings laser_;
   double percent_ = 0;
+  double frequency_hz_ = 0;  // once there was power
   std::optional<base::Diagnostic> warning_;
 };
 

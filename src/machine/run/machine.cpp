@@ -80,8 +80,25 @@ void Machine::take(const motion::Motion& motion) {
   for (const motion::Motion& each : spindle_beam_.translated(motion)) {
     if (const auto* const power = std::get_if<motion::Power>(&each.action)) beam_ = *power;
     if (motion::target_of(each) != nullptr) switch_beam(beam_, each);
+    if (const auto z = z_first(each)) make(*z);
     make(each);
   }
+}
+
+// The part of a rapid that only brings Z to its place, where the machine has it so (tip.z_first)
+// and the other axes move as well.
+std::optional<motion::Motion> Machine::z_first(const motion::Motion& motion) const {
+  const auto* const rapid = std::get_if<motion::Rapid>(&motion.action);
+  const auto z = definition_.axes.find('Z');
+  if (!definition_.tip.z_first || rapid == nullptr || !z) return std::nullopt;
+  motion::Rapid first = *rapid;
+  first.to = servo_.commanded();
+  first.to[*z] = rapid->to[*z];
+  if (first.to == servo_.commanded() || first.to == rapid->to) return std::nullopt;
+  motion::Motion part = motion;
+  part.action = first;
+  part.exact_stop = false;
+  return part;
 }
 
 void Machine::switch_beam(const motion::Power& power, const motion::Motion& move) {

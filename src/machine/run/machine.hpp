@@ -178,6 +178,7 @@ class Machine : private control::Surroundings, private motion::MotionSink {
 
   // motion::MotionSink
   void take(const motion::Motion& motion) override;
+  [[nodiscard]] std::optional<motion::Motion> z_first(const motion::Motion& motion) const;
   void switch_beam(const motion::Power& power, const motion::Motion& move);
 
   MachineDefinition definition_;

@@ -10,6 +10,7 @@
 #include "motion/spindle_speed.hpp"
 #include "motion/surface_path.hpp"
 #include "motion/thread_speed.hpp"
+#include "motion/turning_rapid.hpp"
 
 namespace kerf::machine {
 namespace {
@@ -62,6 +63,7 @@ double RunStatistics::distance(const TipPoint& to, bool& rotary_only) const {
 }
 
 void RunStatistics::rapid(const TipPoint& to) {
+  if (axes_.turning_work) return rapid_over_turning_work(to);
   double seconds = 0;
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     seconds = std::max(seconds, std::fabs(to.values[i] - at_.values[i]) * rapid_s_per_unit_[i]);
@@ -70,6 +72,13 @@ void RunStatistics::rapid(const TipPoint& to) {
   const double length = distance(to, rotary_only);
   if (!rotary_only) rapid_mm_ += length;
   seconds_ += seconds;
+}
+
+void RunStatistics::rapid_over_turning_work(const TipPoint& to) {
+  const auto way = motion::TurningRapid::between(axes_, at_, to);
+  bool rotary_only = false;
+  rapid_mm_ += way ? way->length_mm() : distance(to, rotary_only);
+  seconds_ += motion::TurningRapid::seconds(axes_, at_, to);
 }
 
 void RunStatistics::cut(double length, double feed_length, const Feed& feed, std::uint32_t line) {

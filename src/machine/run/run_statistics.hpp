@@ -46,6 +46,7 @@ class RunStatistics : public motion::MotionSink {
  private:
   void reach(const motion::MotionExtent& extent);
   void rapid(const base::TipPoint& to);
+  void rapid_over_turning_work(const base::TipPoint& to);
   void cut(double length, double feed_length, const motion::Feed& feed, std::uint32_t line);
   void arc(const motion::Arc& arc, std::uint32_t line);
   void space_arc(const motion::SpaceArc& arc, std::uint32_t line);

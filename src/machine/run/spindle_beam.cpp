@@ -47,12 +47,21 @@ std::span<const Motion> SpindleBeam::translated(const Motion& motion) {
     turn(motion, *spindle);
     return {motions_.data(), count_};
   }
+  if (const auto* const power = std::get_if<Power>(&motion.action)) {
+    put(motion, as_of_machine(*power));
+    return {motions_.data(), count_};
+  }
   const Beam beam = beam_in(motion);
   if (turns_ && beam != Beam::stays) light(motion, beam == Beam::on);
   if (turns_ && std::holds_alternative<Dwell>(motion.action)) rest(motion);
   turns_ = turns_ && !std::holds_alternative<End>(motion.action);
   put(motion, motion.action);
   return {motions_.data(), count_};
+}
+
+Power SpindleBeam::as_of_machine(Power power) const {
+  if (power.frequency_hz == laser_.pwm_frequency_hz) power.frequency_hz = 0;
+  return power;
 }
 
 void SpindleBeam::reset() { turns_ = lit_ = false; }

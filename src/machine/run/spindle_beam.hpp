@@ -23,7 +23,7 @@ class SpindleBeam {
 
   /// What the machine does for a motion of the control, in order; valid until the next call. Of the
   /// spindle that is nothing, or a Power where the beam changes. On a machine without a laser it is
-  /// the motion.
+  /// the motion. A Power whose pulses are as frequent as the machine's says no frequency.
   [[nodiscard]] std::span<const motion::Motion> translated(const motion::Motion& motion);
   /// The spindle stands.
   void reset();
@@ -36,6 +36,7 @@ class SpindleBeam {
   }
 
  private:
+  [[nodiscard]] motion::Power as_of_machine(motion::Power power) const;
   void turn(const motion::Motion& motion, const motion::Spindle& spindle);
   void light(const motion::Motion& motion, bool on);
   void rest(const motion::Motion& motion);

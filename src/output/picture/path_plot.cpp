@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/decimal.hpp"
 #include "output/picture/drawing/png_writer.hpp"
 #include "output/picture/drawing/svg_writer.hpp"
 #include "output/picture/drawing/text.hpp"
@@ -10,6 +11,7 @@
 #include "output/picture/internal/path_recorder.hpp"
 #include "output/picture/internal/sheet.hpp"
 #include "output/picture/internal/turning_recorder.hpp"
+#include "output/writing/json_object.hpp"
 
 namespace kerf::output {
 namespace {
@@ -54,7 +56,18 @@ std::string PathPlot::remark() const {
   if (energy_ == nullptr || !(energy_->most() > 0)) return {};
   return "  energy of the cuts: median " + plot::significant(energy_->median()) + " J/mm, most " +
          plot::significant(energy_->most()) + " J/mm at line " +
-         std::to_string(energy_->line_of_most()) + "\n";
+         std::to_string(energy_->line_of_most()) +
+         "\n  energy of the beam: " + plot::significant(energy_->total_j()) + " J\n";
+}
+
+std::string PathPlot::energy_json() const {
+  if (energy_ == nullptr) return {};
+  JsonObject object;
+  object.number("total_j", base::tidy(energy_->total_j()))
+      .number("median_j_mm", base::tidy(energy_->median()))
+      .number("most_j_mm", base::tidy(energy_->most()))
+      .number("line", energy_->line_of_most());
+  return object.done();
 }
 
 std::string PathPlot::svg() const { return plot::write_svg(sheet()); }

@@ -60,9 +60,11 @@ class PathPlot : public motion::MotionSink, public motion::AxisPointSink {
   void start(const motion::AxisPoint& at) override;
   void take(const motion::AxisPoint& point) override;
 
-  /// For people, coloured by energies: the largest and its line, and the median; an indented line,
-  /// or nothing.
+  /// For people, coloured by energies: the largest and its line, the median, and the sum, where the
+  /// beam rested too; indented lines, or nothing.
   [[nodiscard]] std::string remark() const;
+  /// The same as a JSON object; empty where energies are not drawn.
+  [[nodiscard]] std::string energy_json() const;
   /// The whole SVG document of what was taken so far.
   [[nodiscard]] std::string svg() const;
   /// The whole PNG file of what was taken so far. Text is set in DejaVu Sans.

@@ -108,6 +108,14 @@ void BasicProgram::act(const motion::Coolant& coolant) {
 }
 
 void BasicProgram::act(const motion::Power& power) {
+  constexpr double kMilliseconds = 1000;
+  if (power.beam_percent() > 0 && power.frequency_hz != power_hz_) {
+    power_hz_ = power.frequency_hz;
+    const double period_ms = power_hz_ > 0 ? kMilliseconds / power_hz_ : 0;
+    const double on_ms = period_ms * power.percent / 100;
+    statement("PULSE", {on_ms, period_ms - on_ms});
+    written_percent_ = power_hz_ > 0 ? power.percent : -1;
+  }
   power_ = power;
   if (power.follows_speed) lose("power that follows the speed: it is constant");
 }

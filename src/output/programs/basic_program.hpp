@@ -51,6 +51,7 @@ class BasicProgram : public motion::MotionSink {
   base::TipPoint at_;
   motion::Power power_{0};
   double written_percent_ = -1;
+  double power_hz_ = 0;  // 0: that of the machine
   double written_feed_ = 0;
   std::vector<std::string> lost_;
   bool has_ended_ = false;

@@ -13,13 +13,14 @@ namespace kerf::output {
 using namespace motion;
 
 LathePost::LathePost(const machine::MachineDefinition& machine, std::string program,
-                     base::OutputFile& file)
+                     base::OutputFile& file, const PostSettings& settings)
     : machine_(machine),
       axes_(machine.axes),
       program_(std::move(program)),
       file_(file),
-      body_(file),
-      moves_(axes_, body_),
+      flavour_(settings.flavour),
+      body_(file, flavour_),
+      moves_(axes_, body_, flavour_, static_cast<base::AxisSet>(-1)),
       arcs_(moves_),
       surfaces_(moves_, body_),
       tip_(axes_.start) {}
@@ -37,8 +38,13 @@ void LathePost::take(const Motion& motion) {
 }
 
 void LathePost::lose(const std::string& what, const std::string& text) {
-  block("(LINE " + std::to_string(source_line_) + ": " + comment_text(text) + ")");
+  body_.comment(source_line_, text);
   lost_.add(what, source_line_);
+}
+
+void LathePost::frequency(double hz, std::uint32_t line) {
+  source_line_ = line;
+  lose("frequency", "LASER FREQUENCY " + base::number_text(post_rounded(hz)) + " HZ");
 }
 
 // Moves
@@ -174,18 +180,19 @@ void LathePost::act(const Message& message) {
 void LathePost::act(const End& /*end*/) {
   surfaces_.leave();
   if (turns_) block("M5");
-  block("M30");
+  block(flavour_.end);
   ended_ = true;
 }
 
 void LathePost::finish() {
   if (!ended_) act(End{});
   if (travel_ && corner_) travel_->reach(*corner_);
-  file_.write(lathe_head({program_, machine_, travel_, false, lost_}));
+  file_.write(lathe_head({program_, machine_, flavour_, travel_, false, lost_}));
   const std::uint64_t place_at = corner_ ? *place_at_ : 0;
   body_.copy_to_output(0, place_at);
-  if (corner_) file_.write(lathe_positioning(axes_, *corner_));
+  if (corner_) file_.write(lathe_positioning(axes_, flavour_, *corner_));
   body_.copy_to_output(place_at, body_.size());
+  if (flavour_.is_framed) file_.write("%\n");
 }
 
 std::string LathePost::json() const { return JsonObject().raw("lost", lost_.json()).done(); }

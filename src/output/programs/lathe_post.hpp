@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/output_file.hpp"
-#include "base/scratch_file.hpp"
 #include "machine/definition/machine_definition.hpp"
 #include "motion/motion.hpp"
 #include "motion/motion_extent.hpp"
@@ -14,6 +13,7 @@
 #include "output/programs/internal/lost_things.hpp"
 #include "output/programs/internal/move_blocks.hpp"
 #include "output/programs/internal/surface_blocks.hpp"
+#include "output/programs/post_writer.hpp"
 
 namespace kerf::output {
 
@@ -28,16 +28,21 @@ namespace kerf::output {
 /// move X goes out alone to the largest diameter of all rapids, then Z to their largest, then the
 /// others. What plain G-code cannot say is a comment with its source line. Nothing is in the file
 /// before finish().
-class LathePost : public motion::MotionSink {
+class LathePost final : public PostWriter {
  public:
   /// Machine and file must outlive this. `program` as people call it.
-  LathePost(const machine::MachineDefinition& machine, std::string program, base::OutputFile& file);
+  LathePost(const machine::MachineDefinition& machine, std::string program, base::OutputFile& file,
+            const PostSettings& settings = {});
   void take(const motion::Motion& motion) override;
-  /// Writes the file, with an end if the program had none. The last call.
-  void finish();
-  /// As Post has them.
-  [[nodiscard]] std::string remark() const { return lost_.remark(); }
-  [[nodiscard]] std::string json() const;
+
+  // PostWriter
+  void comment(const std::string& text, std::uint32_t line) override { body_.comment(line, text); }
+  void frequency(double hz, std::uint32_t line) override;
+  void finish() override;
+  [[nodiscard]] std::uint64_t lost() const override { return lost_.count(); }
+  [[nodiscard]] std::string remark() const override { return lost_.remark(); }
+  [[nodiscard]] std::string json() const override;
+  [[nodiscard]] std::string tools() const override { return {}; }
 
  private:
   void act(const motion::Rapid& rapid);
@@ -63,14 +68,15 @@ class LathePost : public motion::MotionSink {
   void bring_tool();
   void in_chords(const motion::SurfaceMove& move);
   void turn(const motion::Spindle& spindle);
-  void block(std::string_view text) { write_block(body_, text); }
+  void block(std::string_view text) { body_.block(text); }
   void lose(const std::string& what, const std::string& text);
 
   const machine::MachineDefinition& machine_;
   const motion::AxisSetup& axes_;
   std::string program_;
   base::OutputFile& file_;
-  base::ScratchFile body_;  // the blocks behind the head
+  const PostFlavour& flavour_;
+  PostBody body_;  // the blocks behind the head
   MoveBlocks moves_;
   ArcBlocks arcs_;
   SurfaceBlocks surfaces_;

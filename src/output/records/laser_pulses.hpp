@@ -10,10 +10,10 @@ namespace kerf::output {
 
 /// Writes how the timer of a machine's laser runs, as CSV: drive::PwmCsv, a row a change.
 ///
-/// The duty is the power that is commanded, of full power; the frequency is that of the machine
-/// file. A change counts from the set-point before the first one of the motion that has it: where
-/// the axes rest between the two motions that is the moment itself, else up to a period early. The
-/// first row is how the run begins.
+/// The duty is the power that is commanded, of full power; the frequency that of the program,
+/// or of the machine file where it says none. A change counts from the set-point before the first
+/// one of the motion that has it: where the axes rest between the two motions that is the moment
+/// itself, else up to a period early. The first row is how the run begins.
 class LaserPulses : public motion::AxisPointSink {
  public:
   /// What the timer cannot do is a fault, PWM_RANGE. Laser and file must outlive this.
@@ -33,6 +33,7 @@ class LaserPulses : public motion::AxisPointSink {
   drive::PwmCsv csv_;
   motion::Setpoint last_;
   float power_percent_ = -1;  // nothing yet
+  double frequency_hz_;
 };
 
 }  // namespace kerf::output

@@ -6,6 +6,7 @@
 #include "base/program_name.hpp"
 #include "geometry/angle.hpp"
 #include "motion/plane_axes.hpp"
+#include "motion/radius_change.hpp"
 #include "motion/space_arc_path.hpp"
 #include "output/writing/json_object.hpp"
 
@@ -66,11 +67,22 @@ const char* feed_mode_name(FeedMode mode) {
   return "";
 }
 
+// No length is the same on every axis.
+bool is_same(const ToolLength& a, const ToolLength& b) {
+  const bool none = a.mm == 0 && a.offset == 0 && b.mm == 0 && b.offset == 0;
+  return none || a == b;
+}
+
 }  // namespace
 
 MotionJson::MotionJson(const AxisSetup& axes, const base::SourceSet* sources,
-                       base::OutputFile& file)
-    : axes_(axes), sources_(sources), file_(file), at_(axes.start) {
+                       base::OutputFile& file, Origin origin)
+    : axes_(axes),
+      sources_(sources),
+      file_(file),
+      at_(axes.start),
+      title_(std::move(origin.title)) {
+  if (origin.memory != nullptr) radii_.emplace(*origin.memory, axes.turns());
   for (const AxisConfig& axis : axes.axes) {
     keys_.push_back(std::string(keys_.empty() ? "\"" : ",\"") + axis.letter + "\":");
   }
@@ -84,6 +96,12 @@ void MotionJson::name_file(base::FileId id) {
   source_ = ",\"file\":" + quoted((*sources_)[id].name());
 }
 
+void MotionJson::name_source(base::ProgramNumber first) {
+  const std::string name = base::program_name(static_cast<std::uint32_t>(first));
+  if (!title_->empty() && *title_ != name) line_ += ",\"source\":" + output::quoted(*title_);
+  title_.reset();
+}
+
 void MotionJson::begin(const char* kind, const Motion& motion) {
   if (motion.block.program != program_number_) {
     program_number_ = motion.block.program;
@@ -95,10 +113,13 @@ void MotionJson::begin(const char* kind, const Motion& motion) {
   line_ += kind;
   line_ += program_;
   base::append_integer(line_, motion.block.line);
-  line_ += ",\"column\":";
-  base::append_integer(line_, motion.block.column);
+  if (motion.block.column > 0) {
+    line_ += ",\"column\":";
+    base::append_integer(line_, motion.block.column);
+  }
   if (motion.block.file != source_id_) name_file(motion.block.file);
   line_ += source_;
+  if (title_) name_source(motion.block.program);
 }
 
 void MotionJson::point(const char* name, const base::TipPoint& at) {
@@ -117,6 +138,11 @@ void MotionJson::centre(const Arc& arc) {
   append_member(line_, ",", arc.center[1] * (plane ? axes_[plane->second].count_per_mm() : 1));
 }
 
+bool MotionJson::is_spiral(const Arc& arc) const {
+  const auto plane = plane_axes(arc.plane, axes_);
+  return plane && radius_change(*plane, at_, arc) > kSameRadius_mm;
+}
+
 void MotionJson::feed(const Feed& feed) {
   append_member(line_, ",\"feed\":", feed.value);
   line_ += ",\"feed_mode\":\"";
@@ -133,6 +159,49 @@ void MotionJson::spindle(const Spindle& spindle) {
   if (spindle.follows_radius()) append_member(line_, ",\"centre\":", spindle.centre);
   if (spindle.name != SpindleName::main)
     line_ += ",\"spindle\":\"" + std::string(name_of(spindle.name)) + '"';
+  flag(spindle.cuts_standing, ",\"cuts_standing\":true");
+  flag(spindle.is_clamped, ",\"clamped\":true");
+}
+
+void MotionJson::thread(const Thread& thread) {
+  append_member(line_, ",\"lead\":", thread.lead);
+  if (thread.lead_change != 0) append_member(line_, ",\"lead_change\":", thread.lead_change);
+  if (thread.angle_deg != 0) append_member(line_, ",\"angle_deg\":", thread.angle_deg);
+  if (thread.depth_mm != 0) append_member(line_, ",\"depth_mm\":", thread.depth_mm);
+}
+
+// Where the axes and the plane are, in mm of the machine.
+void MotionJson::surface(const SurfaceMove& move) {
+  const Surface& surface = move.surface;
+  line_ += surface.kind == Surface::Kind::face ? ",\"surface\":{\"kind\":\"face\",\"axes\":\""
+                                               : ",\"surface\":{\"kind\":\"cylinder\",\"axes\":\"";
+  line_ += axes_[surface.first].letter;
+  line_ += axes_[surface.rotary].letter;
+  append_member(line_, "\",\"centre_mm\":", surface.centre_mm);
+  append_member(line_, ",\"zero_deg\":", surface.zero_deg);
+  append_member(line_, ",\"side\":", surface.side);
+  append_member(line_, ",\"radius_mm\":", surface.radius_mm);
+  append_member(line_, ",\"to\":[", move.flat_to[0]);
+  append_member(line_, ",", move.flat_to[1]);
+  line_ += "]}";
+}
+
+void MotionJson::length(const ToolLength& length) {
+  length_ = length;
+  line_ += ",\"length\":{\"axis\":\"";
+  line_ += axes_[length_.axis].letter;
+  append_member(line_, "\",\"mm\":", length_.mm);
+  line_ += ",\"offset\":";
+  base::append_integer(line_, length_.offset);
+  line_ += '}';
+}
+
+// What any record may have, where it changes or is not usual.
+void MotionJson::state(const Motion& motion) {
+  flag(motion.exact_stop, ",\"exact_stop\":true");
+  flag(motion.fixed_override, ",\"fixed_override\":true");
+  if (!is_same(motion.length, length_)) length(motion.length);
+  if (radii_) radii_->append_changes(line_);
 }
 
 void MotionJson::space_arc(const SpaceArc& arc) {
@@ -159,9 +228,8 @@ void MotionJson::surface_arc(const SurfaceMove& move) {
 }
 
 void MotionJson::take(const Motion& motion) {
-  const auto* const stop = std::get_if<Stop>(&motion.action);
-  if (stop != nullptr && stop->passed) return;
   write(motion);
+  state(motion);
   line_ += "}\n";
   file_.write(line_);
   if (const base::TipPoint* const to = target_of(motion)) at_ = *to;
@@ -173,6 +241,7 @@ void MotionJson::write(const Motion& motion) {
     if constexpr (std::is_same_v<Action, Rapid>) {
       begin("rapid", motion);
       target(action.to);
+      flag(!action.linear, ",\"linear\":false");
     } else if constexpr (std::is_same_v<Action, Line>) {
       begin("line", motion);
       target(action.to);
@@ -188,6 +257,7 @@ void MotionJson::write(const Motion& motion) {
       line_ += ",\"turns\":";
       base::append_integer(line_, action.turns);
       feed(action.feed);
+      flag(is_spiral(action), ",\"spiral\":true");
     } else if constexpr (std::is_same_v<Action, SpaceArc>) {
       begin("space-arc", motion);
       space_arc(action);
@@ -196,6 +266,7 @@ void MotionJson::write(const Motion& motion) {
       target(action.to);
       if (action.is_arc) surface_arc(action);
       feed(action.feed);
+      surface(action);
     } else if constexpr (std::is_same_v<Action, Dwell>) {
       begin("dwell", motion);
       append_member(line_, ",\"seconds\":", action.seconds);
@@ -214,6 +285,7 @@ void MotionJson::write(const Motion& motion) {
       append_member(line_, ",\"percent\":", action.percent);
       if (!action.on) line_ += ",\"beam\":false";
       if (action.follows_speed) line_ += ",\"follows_speed\":true";
+      if (action.frequency_hz > 0) append_member(line_, ",\"frequency_hz\":", action.frequency_hz);
     } else if constexpr (std::is_same_v<Action, Probe>) {
       begin("probe", motion);
       target(action.to);
@@ -222,9 +294,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, Thread>) {
       begin("thread", motion);
       target(action.to);
-      append_member(line_, ",\"lead\":", action.lead);
-      if (action.lead_change != 0) append_member(line_, ",\"lead_change\":", action.lead_change);
-      if (action.angle_deg != 0) append_member(line_, ",\"angle_deg\":", action.angle_deg);
+      thread(action);
     } else if constexpr (std::is_same_v<Action, AuxiliaryCode>) {
       begin("mcode", motion);
       line_ += ",\"code\":";
@@ -232,6 +302,7 @@ void MotionJson::write(const Motion& motion) {
     } else if constexpr (std::is_same_v<Action, Stop>) {
       begin("stop", motion);
       line_ += action.optional ? ",\"optional\":true" : ",\"optional\":false";
+      flag(action.passed, ",\"passed\":true");
     } else if constexpr (std::is_same_v<Action, Message>) {
       begin("message", motion);
       const nlohmann::json text = std::string(action.text.view());

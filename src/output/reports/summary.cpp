@@ -154,6 +154,7 @@ std::string summary_json(const RunFacts& run, const SummaryOfOutputs& outputs) {
     object.raw("threads", threads_json(*run.turning)).raw("cycles", cycles_json(*run.turning));
   }
   if (!outputs.pattern.empty()) object.raw("pattern", outputs.pattern);
+  if (!outputs.energy.empty()) object.raw("energy", outputs.energy);
   if (!outputs.post.empty()) object.raw("post", outputs.post);
   if (outputs.stock) {
     object.raw("findings", outputs.stock->findings).raw("counts", outputs.stock->counts);

@@ -19,6 +19,7 @@ struct CheckedStock {
 struct SummaryOfOutputs {
   std::string pattern;
   std::string post;
+  std::string energy{};
   std::optional<CheckedStock> stock{};
 };
 

@@ -140,5 +140,13 @@ TEST(PwmCsv, ARowForEachChange) {
             "2,9,37000,0,676,0\n");
 }
 
+TEST(PwmCsv, TheHeadNamesTheTimer) {
+  const test::TemporaryFolder folder;
+  auto file = std::move(*base::OutputFile::create(folder / "pwm.csv"));
+  const PwmCsv csv(*file, 3);
+  ASSERT_TRUE(file->commit());
+  EXPECT_EQ(folder.read("pwm.csv"), "t,line,f,duty,TCNTB3,TCMPB3\n");
+}
+
 }  // namespace
 }  // namespace kerf::drive

@@ -44,6 +44,20 @@ TEST(PatternReplay, ReturnsToStartFromAnywhere) {
   EXPECT_EQ(replay.counters(), ArmCounts{});
 }
 
+TEST(PatternReplay, LinksFourMotorsInTheTimeOfTheOneWithTheMostPulses) {
+  const auto definition = machine_with("arm4");
+  const auto motors = *PatternMachine::of(definition);
+  PatternReplay replay(motors);
+  const ArmCounts counts{{-40, 25, 3, 100}};
+  ASSERT_TRUE(replay.take(drive::ListedLinked{counts}));
+  EXPECT_EQ(replay.counters(), counts);
+  EXPECT_EQ(replay.totals().linked, 1U);
+  EXPECT_EQ(replay.totals().pulses, 168U);
+  const double tick_s = 12 / 11.0592e6;
+  EXPECT_NEAR(replay.time_s(), 2 * 100 * 4096 * tick_s, 1e-9);
+  EXPECT_EQ(replay.statistics().motions(), 1U);
+}
+
 TEST(PatternReplay, TellsTheFirstPlaceBeyondTheTravelOfEachJoint) {
   const auto definition = machine_with("arm4");
   const auto motors = *PatternMachine::of(definition);

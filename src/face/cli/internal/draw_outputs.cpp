@@ -9,7 +9,7 @@
 #include "machine/dialect/taught_for.hpp"
 #include "output/drawings/draw_report.hpp"
 #include "output/programs/basic_program.hpp"
-#include "output/programs/post.hpp"
+#include "output/programs/post_writer.hpp"
 #include "output/programs/taught_program.hpp"
 #include "output/records/motion_json.hpp"
 #include "process/plan_reader.hpp"
@@ -109,14 +109,22 @@ Outcome<void> DrawOutputs::open_target(const std::string& path) {
   if (language == "laser-basic") return open_basic(path);
   if (language == "teach") return open_taught(path);
   if (language == "motion") return open_motions(path);
+  if (language == "pattern") return open_pattern(path);
   return usage("--output " + path + ": its ending names no language; --language does");
 }
 
 Outcome<void> DrawOutputs::open_gcode(const std::string& path) {
   return files_.open(path, Kind::drives_a_machine, [&](base::OutputFile& file) {
     targets_.back().flavour = options_.flavour;
-    auto post = std::make_unique<output::Post>(order_.definition, plan_->name(), file);
-    files_.when_over([writer = post.get()](base::OutputFile&) { writer->finish(); });
+    const output::PostFlavour& flavour = *output::find_flavour(options_.flavour);
+    auto post = output::make_post(order_.definition, plan_->name(), file, {flavour});
+    output::PostWriter* const writer = post.get();
+    comment_by(
+        [writer](const std::string& text, std::uint32_t line) { writer->comment(text, line); });
+    files_.when_over([writer](base::OutputFile&) { writer->finish(); });
+    targets_over_.back() = [writer](output::DrawTarget& target) {
+      if (writer->lost() > 0) target.lost.push_back(writer->remark());
+    };
     add(std::move(post));
   });
 }
@@ -145,6 +153,26 @@ Outcome<void> DrawOutputs::open_taught(const std::string& path) {
         [](const auto&...) {}, file);
     files_.when_over([writer = taught.get()](base::OutputFile&) { writer->finish(); });
     add(std::move(taught));
+  });
+}
+
+/// The maker is the machine's judge: it is made when there is a machine.
+Outcome<void> DrawOutputs::open_pattern(const std::string& path) {
+  auto motors = machine::PatternMachine::of(order_.definition);
+  if (!motors) return usage("--output " + path + ": " + motors.error().message);
+  motors_ = std::move(*motors);
+  return files_.open(path, Kind::drives_a_machine, [&](base::OutputFile& file) {
+    watchers_.prepare = [this, &file](machine::BatchRun& run) {
+      pattern_ = std::make_unique<drive::PatternWriter>(order_.definition.pattern.byte_order, file);
+      maker_ = std::make_unique<engraver::PatternMaker>(run, *motors_, *pattern_);
+    };
+    watchers_.finish = [this] {
+      maker_->finish();
+      report_of_pattern_ = maker_->report();
+    };
+    targets_over_.back() = [this](output::DrawTarget& target) {
+      target.deviation_mm = report_of_pattern_.measured.mm;
+    };
   });
 }
 

@@ -2,9 +2,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "drive/pattern/writer.hpp"
+#include "engraver/pattern_maker.hpp"
+#include "engraver/pattern_report.hpp"
 #include "face/cli/commands.hpp"
 #include "face/cli/output_files.hpp"
 #include "job/drawing/draw_run.hpp"
@@ -33,6 +37,7 @@ class DrawOutputs {
   base::Outcome<void> open_basic(const std::string& path);
   base::Outcome<void> open_taught(const std::string& path);
   base::Outcome<void> open_motions(const std::string& path);
+  base::Outcome<void> open_pattern(const std::string& path);
   base::Outcome<void> open_contours();
   base::Outcome<void> open_picture();
   void add(std::unique_ptr<motion::MotionSink> sink);
@@ -48,7 +53,10 @@ class DrawOutputs {
   std::vector<output::DrawTarget> targets_;
   std::vector<std::function<void(output::DrawTarget&)>> targets_over_;
   std::unique_ptr<output::PathPlot> plot_;
-  base::OutputFile* report_ = nullptr;
+  std::optional<machine::PatternMachine> motors_;
+  std::unique_ptr<drive::PatternWriter> pattern_;
+  std::unique_ptr<engraver::PatternMaker> maker_;
+  engraver::PatternReport report_of_pattern_;
   std::string report_text_;
 };
 

@@ -24,6 +24,7 @@ constexpr double kMostNanoseconds = 4294967295;  // 2^32 - 1
 constexpr double kMostRpm = 99999;
 constexpr double kMostCode = 99999999;  // of M
 constexpr double kFastestCrystal_hz = 500'000'000;
+constexpr int kTimerWithoutOutput = 4;  // of the chip's five timers
 
 // Each list of words beside what its places mean.
 constexpr std::array<string_view, 4> kModes = {"planned", "tail", "equal", "literal"};
@@ -37,6 +38,9 @@ constexpr std::array<string_view, 2> kOutputs = {"active_after_match", "active_b
 constexpr std::array kPwmOutputs = {PwmTimer::Output::active_after_match,
                                     PwmTimer::Output::active_before_match};
 
+constexpr std::array<string_view, 2> kRapids = {"straight", "joint"};
+constexpr std::array kRapidWays = {RapidWay::straight, RapidWay::joint};
+
 constexpr std::array<string_view, 2> kBeamWords = {"M3", "M4"};
 constexpr std::array kBeams = {LaserSettings::Beam::constant, LaserSettings::Beam::dynamic};
 
@@ -46,6 +50,8 @@ constexpr std::array<string_view, 2> kElbows = {"plus", "minus"};
 constexpr std::array<string_view, 2> kHeadings = {"tangent", "program"};
 constexpr std::array kWheelHeadings = {PatternSettings::Heading::tangent,
                                        PatternSettings::Heading::program};
+constexpr std::array<string_view, 2> kLinks = {"two", "four"};
+constexpr std::array kPatternLinks = {PatternSettings::Link::two, PatternSettings::Link::four};
 
 std::int64_t whole(double value) { return static_cast<std::int64_t>(value); }
 std::uint32_t code(double value) { return static_cast<std::uint32_t>(value); }
@@ -94,6 +100,9 @@ constexpr MachineKey kMachineKeys[] = {
      has_own_tip},
     {"tip", "acceleration", positive(), [](Machine& m, double v) { m.tip.acceleration = v; },
      has_own_tip},
+    {"tip", "rapid", one_of(kRapids),
+     [](Machine& m, double v) { m.tip.rapid = item(kRapidWays, v); }, is_x_theta_z},
+    {"tip", "z_first", flag(), [](Machine& m, double v) { m.tip.z_first = v != 0; }},
 
     {"kinematics", "x1", any_number(),
      [](Machine& m, double v) { m.kinematics.x_theta_z.x1_mm = v; }, is_x_theta_z},
@@ -160,6 +169,8 @@ constexpr MachineKey kMachineKeys[] = {
      [](Machine& m, double v) { m.pattern.tangent_jump_deg = v; }, takes_patterns},
     {"pattern", "heading", one_of(kHeadings),
      [](Machine& m, double v) { m.pattern.heading = item(kWheelHeadings, v); }, takes_patterns},
+    {"pattern", "link", one_of(kLinks),
+     [](Machine& m, double v) { m.pattern.link = item(kPatternLinks, v); }, takes_patterns},
     {"pattern", "cut_speed", not_negative(),
      [](Machine& m, double v) { m.pattern.cut_speed_mm_min = v; }, takes_patterns},
 
@@ -169,6 +180,7 @@ constexpr MachineKey kMachineKeys[] = {
      [](Machine& m, double v) { m.drive.laser.pwm_frequency_hz = v; }},
     {"drive", "spot_mm", positive(), [](Machine& m, double v) { m.drive.laser.spot_mm = v; }},
     {"beam", "kerf", positive(), [](Machine& m, double v) { m.drive.laser.kerf_mm = v; }},
+    {"beam", "focus_mm", any_number(), [](Machine& m, double v) { m.drive.laser.focus_mm = v; }},
     {"drive", "burn_j_mm", not_negative(),
      [](Machine& m, double v) { m.drive.laser.burn_j_mm = v; }},
     {"drive", "s_of_full_power", positive(),
@@ -177,6 +189,8 @@ constexpr MachineKey kMachineKeys[] = {
      [](Machine& m, double v) { m.drive.laser.post_beam = item(kBeams, v); }},
     {"drive", "pclk_hz", positive(),
      [](Machine& m, double v) { m.drive.laser.timer.clock_hz = v; }},
+    {"drive", "timer", whole_numbers(0, kTimerWithoutOutput),
+     [](Machine& m, double v) { m.drive.laser.timer_number = static_cast<int>(v); }},
     {"drive", "prescaler", whole_numbers(0, 255),
      [](Machine& m, double v) { m.drive.laser.timer.prescaler = whole(v); }},
     {"drive", "divider", one_of(kDividers),
@@ -245,6 +259,17 @@ std::string drive_objection(const DriveSettings& drive) {
   if (fast.start_hz <= fast.rate_hz) return {};
   return "fast_start, " + base::number_text(fast.start_hz) + ", is above fast_rate, " +
          base::number_text(fast.rate_hz);
+}
+
+std::string timer_objection(const DriveSettings& drive) {
+  if (drive.laser.timer_number != kTimerWithoutOutput) return {};
+  return "timer 4 has no output: the laser is at 0, 1, 2 or 3";
+}
+
+bool is_gas(string_view text) {
+  constexpr std::size_t kLongest = 60;
+  const auto shows = [](char c) { return static_cast<unsigned char>(c) >= ' ' && c != 0x7F; };
+  return !text.empty() && text.size() <= kLongest && std::all_of(text.begin(), text.end(), shows);
 }
 
 std::string type_in_words(const MachineDefinition& machine) {

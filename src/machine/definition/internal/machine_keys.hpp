@@ -48,6 +48,14 @@ void limit_main_spindle(MachineDefinition& machine);
 /// What is wrong with keys that must fit each other, a sentence, or nothing.
 [[nodiscard]] std::string drive_objection(const DriveSettings& drive);
 
+/// What is wrong with the laser's timer, a sentence, or nothing.
+[[nodiscard]] std::string timer_objection(const DriveSettings& drive);
+
+/// beam.gas, which takes a text of characters that show.
+inline constexpr std::string_view kBeamGas = "gas";
+inline constexpr std::string_view kGasInWords = "a name of 1 to 60 characters";
+[[nodiscard]] bool is_gas(std::string_view text);
+
 /// For a sentence: "a machine of the type arm".
 [[nodiscard]] std::string type_in_words(const MachineDefinition& machine);
 

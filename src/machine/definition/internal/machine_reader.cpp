@@ -204,6 +204,7 @@ MachineReader::Outcome MachineReader::read_item(std::string_view table, const st
   const std::string name = std::string(table) + "." + key;
   if (const PointKey* const point = find_point_key(table, key))
     return read_point(*point, name, node);
+  if (table == "beam" && key == kBeamGas) return read_gas(node);
   const MachineKey* const known = find_machine_key(table, key);
   if (known == nullptr) return wrong(&node, "there is no key " + name);
   if (!known->belongs_to(machine_.kinematics.kind))
@@ -225,7 +226,17 @@ MachineReader::Outcome MachineReader::read_point(const PointKey& key, const std:
   return {};
 }
 
+MachineReader::Outcome MachineReader::read_gas(const toml::node& node) {
+  const auto text = node.value<std::string>();
+  if (!node.is_string() || !text || !is_gas(*text))
+    return wrong(&node, "beam.gas must be " + std::string(kGasInWords));
+  machine_.drive.laser.gas = *text;
+  return {};
+}
+
 MachineReader::Outcome MachineReader::finish() {
+  if (const std::string text = timer_objection(machine_.drive); !text.empty())
+    return wrong(file_.at_path("drive.timer").node(), text);
   if (const std::string text = drive_objection(machine_.drive); !text.empty())
     return wrong(file_.get("drive"), text);
   const std::string text = complete(machine_);

@@ -44,6 +44,7 @@ class MachineReader {
                        std::span<double> into) const;
   template <typename Owner>
   Outcome read_value(const Key<Owner>& key, const toml::node& node, Owner& owner) const;
+  Outcome read_gas(const toml::node& node);
   Outcome read_point(const PointKey& key, const std::string& name, const toml::node& node);
   Outcome finish();
 

@@ -15,7 +15,9 @@ using motion::AxisConfig;
 
 constexpr std::size_t kWheel = 2;  // of the driven axes of an arm
 constexpr std::size_t kLift = 3;
-constexpr std::size_t kXThetaZLift = 2;  // of X-θ-Z
+constexpr std::size_t kXThetaZCarriage = 0;  // of X-θ-Z
+constexpr std::size_t kXThetaZWork = 1;
+constexpr std::size_t kXThetaZLift = 2;
 
 std::vector<Joint> joints_of(const MachineDefinition& machine) {
   std::vector<Joint> joints;
@@ -127,6 +129,10 @@ std::string complete(MachineDefinition& machine) {
   if (!linkage) return linkage.error().message;
   machine.axes.axes = program_axes(machine, **linkage);
   machine.axes.linked = machine.kinematics.kind != Kind::cartesian;
+  machine.axes.turning_work.reset();
+  if (machine.tip.rapid == RapidWay::joint)
+    machine.axes.turning_work = {machine.driven[kXThetaZCarriage].velocity_per_min,
+                                 machine.driven[kXThetaZWork].velocity_per_min};
   machine.axes.beam = machine.drive.laser.fitted();
   machine.axes.standing_rpm = machine.dialect == kLatheDialect ? kStandingLathe_rpm : 0;
   for (const control::SpindleSettings& spindle : machine.parameters.machine_codes.spindles)

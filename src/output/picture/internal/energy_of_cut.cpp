@@ -35,6 +35,7 @@ double EnergyOfCut::take(const CutPeriod& period) {
   }
   const double power_w = laser_.max_power_w * static_cast<double>(period.power_percent) / 100;
   const Piece piece{period.way_mm, power_w * period.time_s};
+  total_j_ += piece.energy_j;
   lengthen(piece);
   book(piece);
   const double energy = sum_.energy_j / std::max(sum_.way_mm, laser_.spot_mm);

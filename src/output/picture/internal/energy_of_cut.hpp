@@ -30,6 +30,8 @@ class EnergyOfCut final : public CutMeasure {
   /// else within 1.1 %.
   [[nodiscard]] double median() const;
   [[nodiscard]] double most() const { return most_; }
+  /// Of all cuts and of all places where the beam rested, J.
+  [[nodiscard]] double total_j() const { return total_j_; }
   [[nodiscard]] std::uint32_t line_of_most() const { return line_of_most_; }
   /// Places with more are marked: LaserSettings::burn_j_mm, or twice the median.
   [[nodiscard]] double burn() const;
@@ -49,6 +51,7 @@ class EnergyOfCut final : public CutMeasure {
   Piece sum_;               // of them
   std::vector<Bin> bins_;
   double most_ = 0;
+  double total_j_ = 0;
   std::uint32_t line_of_most_ = 0;
 };
 

@@ -7,6 +7,7 @@
 
 #include "geometry/space_arc.hpp"
 #include "motion/surface_path.hpp"
+#include "motion/turning_rapid.hpp"
 
 namespace kerf::output::plot {
 namespace {
@@ -44,8 +45,9 @@ void PathRecorder::take(const motion::Motion& motion) {
   std::visit(
       [this](const auto& action) {
         using Action = std::decay_t<decltype(action)>;
-        if constexpr (std::is_same_v<Action, motion::Rapid> ||
-                      std::is_same_v<Action, motion::Probe>) {
+        if constexpr (std::is_same_v<Action, motion::Rapid>) {
+          rapid(action);
+        } else if constexpr (std::is_same_v<Action, motion::Probe>) {
           straight(action.to, Trace::travel);
         } else if constexpr (std::is_same_v<Action, motion::Arc>) {
           arc(action);
@@ -65,6 +67,17 @@ void PathRecorder::take(const motion::Motion& motion) {
       },
       motion.action);
   if (const base::TipPoint* const to = motion::target_of(motion)) tip_ = *to;
+}
+
+void PathRecorder::rapid(const motion::Rapid& rapid) {
+  if (axes_.turning_work) {
+    if (const auto way = motion::TurningRapid::between(axes_, tip_, rapid.to)) {
+      constexpr double kChords = 64;
+      const motion::Curve curve = way->curve();
+      for (double n = 1; n < kChords; ++n) travel_through(curve.at(curve.length() * n / kChords));
+    }
+  }
+  straight(rapid.to, Trace::travel);
 }
 
 void PathRecorder::travel_through(const base::TipPoint& place) { go(place, Trace::travel); }

@@ -53,6 +53,7 @@ class PathRecorder {
  private:
   void straight(const base::TipPoint& to, Trace trace);
   void go(const base::TipPoint& to, Trace trace);
+  void rapid(const motion::Rapid& rapid);
   void arc(const motion::Arc& arc);
   void space_arc(const motion::SpaceArc& arc);
   void surface_move(const motion::SurfaceMove& move);

@@ -6,16 +6,10 @@
 
 namespace kerf::output {
 
-void write_block(base::ScratchFile& body, std::string_view block) {
-  if (block.empty()) return;
-  body.write(block);
-  body.write("\n");
-}
-
-bool MoveBlocks::is_at(const base::TipPoint& to) const {
+bool MoveBlocks::stands_at(const base::TipPoint& to) const {
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const base::Axis axis{static_cast<std::uint8_t>(i)};
-    if (digits(axis, at_[axis]) != digits(axis, to[axis])) return false;
+    if (is_said(axis) && digits(axis, at_[axis]) != digits(axis, to[axis])) return false;
   }
   return named_ == base::AxisSet{};
 }
@@ -26,18 +20,44 @@ void MoveBlocks::stand_at(const base::TipPoint& at) {
 }
 
 void MoveBlocks::end_block() {
-  write_block(body_, block_.text());
+  body_.block(block_.text());
   block_.clear();
 }
 
+std::optional<std::string> MoveBlocks::settle_length() {
+  if (!waiting_) return std::nullopt;
+  length_axis_ = waiting_->axis;
+  length_mm_ = waiting_->mm;
+  std::string words = std::move(waiting_->words);
+  waiting_.reset();
+  return words;
+}
+
+// The coordinate of where it stands is another one from there on: the block says it.
+void MoveBlocks::wear_where_said(const base::TipPoint& to) {
+  if (!waiting_) return;
+  const base::Axis axis = waiting_->axis;
+  if (digits(axis, to[axis]) == digits(axis, at_[axis]) && !base::contains(named_, axis)) return;
+  name(axis);
+  const std::string words = *settle_length();
+  if (words.empty()) return;
+  if (flavour_.length_with_move) {
+    block_.code(words);
+  } else {
+    body_.block(words);
+  }
+}
+
 void MoveBlocks::words(const char* code, const base::TipPoint& to) {
+  if (!flavour_.length_with_move) wear_where_said(to);
   if (modal_ != code) block_.code(code);
   modal_ = code;
+  if (flavour_.length_with_move) wear_where_said(to);
   cuts_ = beam_on_ && modal_ != "G0";
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const base::Axis axis{static_cast<std::uint8_t>(i)};
     const double value = digits(axis, to[axis]);
-    if (value != digits(axis, at_[axis]) || base::contains(named_, axis))
+    if (is_said(axis) && (value != digits(axis, at_[axis]) || base::contains(named_, axis)))
       block_.number(axes_[axis].letter, value);
   }
   named_ = {};
@@ -57,7 +77,7 @@ void MoveBlocks::feed(BlockText& block, double value) {
 
 // F is the lead, and what follows says its own again.
 void MoveBlocks::thread(const motion::Thread& thread) {
-  if (is_at(thread.to)) return;
+  if (stands_at(thread.to)) return;
   modal_.clear();
   words(thread.lead_change != 0 ? "G34" : "G32", thread.to);
   block_.number('F', post_rounded(thread.lead));
@@ -74,13 +94,13 @@ void MoveBlocks::forget_move(const base::TipPoint& at) {
 }
 
 void MoveBlocks::rapid(const base::TipPoint& to) {
-  if (!is_at(to)) words("G0", to);
+  if (!stands_at(to)) words("G0", to);
   end_block();
   at_ = to;
 }
 
 void MoveBlocks::line(const base::TipPoint& to, double per_minute) {
-  if (is_at(to)) {
+  if (stands_at(to)) {
     at_ = to;
     return;
   }

@@ -36,8 +36,7 @@ void SurfaceBlocks::enter(const motion::SurfaceMove& move) {
   leave();
   surface_ = move.surface;
   const bool face = is_face(move.surface);
-  write_block(
-      body_,
+  body_.block(
       face ? "G12.1"
            : BlockText().code("G7.1").number('C', post_rounded(move.surface.radius_mm)).text());
   moves_.forget_feed();
@@ -45,7 +44,7 @@ void SurfaceBlocks::enter(const motion::SurfaceMove& move) {
 
 void SurfaceBlocks::leave() {
   if (!surface_) return;
-  write_block(body_, is_face(*surface_) ? "G13.1" : "G7.1 C0.");
+  body_.block(is_face(*surface_) ? "G13.1" : "G7.1 C0.");
   surface_.reset();
   moves_.forget_move(moves_.at());
 }
@@ -84,7 +83,7 @@ void SurfaceBlocks::write(const motion::SurfaceMove& move) {
   if (move.is_arc) round(move, block);
   const motion::SurfacePath path(moves_.axes(), moves_.at(), move, [](const motion::Curve&) {});
   moves_.feed(block, moves_.per_minute(move.feed, path.length()));
-  write_block(body_, block.text());
+  body_.block(block.text());
   moves_.stand_at(move.to);
 }
 

@@ -12,7 +12,7 @@ namespace kerf::output {
 class SurfaceBlocks {
  public:
   /// Both must outlive this.
-  SurfaceBlocks(MoveBlocks& moves, base::ScratchFile& body) : moves_(moves), body_(body) {}
+  SurfaceBlocks(MoveBlocks& moves, PostBody& body) : moves_(moves), body_(body) {}
 
   /// Whether the posted program can say it: a face whose centre is its X0, with C counted from
   /// where the axis stands.
@@ -28,7 +28,7 @@ class SurfaceBlocks {
   void round(const motion::SurfaceMove& move, BlockText& block) const;
 
   MoveBlocks& moves_;
-  base::ScratchFile& body_;
+  PostBody& body_;
   std::optional<motion::Surface> surface_;
 };
 

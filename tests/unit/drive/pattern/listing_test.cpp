@@ -37,6 +37,37 @@ TEST(PatternListing, LinesOfRecords) {
             "S -0 -0 -30");
 }
 
+TEST(PatternListing, FourLinkedMotorsAreALineWithoutBytes) {
+  const auto move = parse_listing("L 12 -7 0 65535 # all", {}, Links::four);
+  ASSERT_TRUE(move);
+  const ArmCounts& counts = std::get<ListedLinked>(*move).counts;
+  EXPECT_EQ(counts[ArmAxis::theta1], 12);
+  EXPECT_EQ(counts[ArmAxis::theta2], -7);
+  EXPECT_EQ(counts[ArmAxis::theta3], 0);
+  EXPECT_EQ(counts[ArmAxis::z], 65535);
+  each_record(*move, [](const PatternRecord& record) { ADD_FAILURE() << listed(record); });
+  const auto without = parse_listing(" L 1 2 3 4", {});
+  ASSERT_FALSE(without);
+  EXPECT_NE(without.error().message.find("has no bytes"), std::string::npos);
+  EXPECT_EQ(without.error().place.column, 2U);
+  for (const char* const line : {"L 1 2 3", "L 1 2 3 4 5", "L 1 2 3 65536", "L T1 2 3 4"})
+    EXPECT_FALSE(parse_listing(line, {}, Links::four)) << line;
+}
+
+TEST(PatternListing, AListingIsToldFromBytesByItsBeginning) {
+  for (const char* const text :
+       {"F T1 3\n", "S 1 2 3", "L 1 2 3 4", "# head\nF Z 1", "\n", " F Z 1"})
+    EXPECT_TRUE(begins_listing(text)) << text;
+  for (const char* const text : {"", "F", "FT", "S\t1"}) EXPECT_FALSE(begins_listing(text)) << text;
+  test::SeededRandom random(test::kSeed);
+  for (int i = 0; i < 100'000; ++i) {
+    RecordBytes bytes{};
+    for (auto& byte : bytes) byte = static_cast<std::uint8_t>(random.count(0, 255));
+    const std::string text(bytes.begin(), bytes.end());
+    if (decode(bytes, {}, 0)) EXPECT_FALSE(begins_listing(text)) << text;
+  }
+}
+
 TEST(PatternListing, ALineWithinTheLimitsIsThatRecord) {
   for (const char* const line :
        {"F T1 0", "F Z -0", "F T3 65535", "S 0 0 0", "S -0 0 -0", "S 30 -30 30"}) {

@@ -20,6 +20,9 @@ TEST(BasicTokens, CommandsAreAllThatMoveOrBurn) {
   EXPECT_EQ(cut("wait(1); burn(2)"),
             "wait|command (|operator 1|number )|operator ;|operator burn|command (|operator "
             "2|number )|operator");
+  EXPECT_EQ(cut("PULSE(1,2); air(0)"),
+            "PULSE|command (|operator 1|number ,|operator 2|number )|operator ;|operator "
+            "air|command (|operator 0|number )|operator");
 }
 
 TEST(BasicTokens, LabelsStandAtTheHeadAndTargetsBehindJumps) {

@@ -156,6 +156,7 @@ class Agreement {
       case DialectRow::Kind::gcode: check_gcode(); break;
       case DialectRow::Kind::basic: check_basic(); break;
       case DialectRow::Kind::teach: check_teach(); break;
+      case DialectRow::Kind::motion:
       case DialectRow::Kind::pattern: break;
     }
     return count_;
@@ -357,6 +358,7 @@ TEST(Languages, KeyWordsAreInTheirManuals) {
       {"fanuc-mill", "macro-language.md"},
       {"laser-basic", "laser-basic.md"},
       {"teach", "teach.md"},
+      {"motion", "motions.md"},
       {"pattern", "pattern.md"}};
   for (const auto& [dialect, page] : manuals) {
     const std::string text = manual(page);
@@ -393,6 +395,8 @@ TEST(Dialects, ShowByEndingThenByTheFirstLineThatSaysSomething) {
   EXPECT_EQ(shown("a.BAS", "G01 X1.\n"), "laser-basic");
   EXPECT_EQ(shown("a.tch", ""), "teach");
   EXPECT_EQ(shown("a.pat", ""), "pattern");
+  EXPECT_EQ(shown("a.jsonl", "G01 X1.\n"), "motion");
+  EXPECT_EQ(shown("a.nc", "\n {\"kind\":\"end\"}\n"), "motion");
   EXPECT_EQ(shown("a.nc", "\n  teach 1\n"), "teach");
   EXPECT_EQ(shown("a.nc", "r = 2\n"), "laser-basic");
   EXPECT_EQ(shown("a.nc", "%\nmove(1, 2)\n"), "");

@@ -126,6 +126,28 @@ TEST(LaserPulses, RegistersAreThoseOfTheMachineFile) {
             "0,2,100,0.35,625,219\n0.8,2,100,0,625,0\n");
 }
 
+TEST(LaserPulses, AProgramMaySayTheFrequency) {
+  Laser laser;
+  Power slow{50};
+  slow.frequency_hz = 500;
+  Power off{0};
+  off.frequency_hz = 500;
+  EXPECT_EQ(laser.rows(
+                {slow, motion::Dwell{0.5}, off, motion::Dwell{0.5}, Power{50}, motion::Dwell{0.5}}),
+            "0,2,500,0.5,50000,25000\n0.5,4,500,0,50000,0\n1,6,2000,0.5,12500,6250\n"
+            "1.5,6,2000,0,12500,0\n");
+}
+
+TEST(LaserPulses, AFrequencyThatNoTimerMakesIsAnAlarmAtItsLine) {
+  Laser laser;
+  Power slow{50};
+  slow.frequency_hz = 300;
+  laser.rows({Rapid{{10}}, slow, motion::Dwell{0.5}});
+  EXPECT_EQ(laser.machine().run_to_end(), machine::RunStatus::alarm);
+  EXPECT_EQ(laser.machine().alarm()->number, "PWM_RANGE");
+  EXPECT_EQ(laser.machine().alarm()->place.line, 3U);
+}
+
 TEST(LaserPulses, APowerThatNoTimerMakesIsAnAlarmAtItsLine) {
   Laser laser;
   const std::string rows = laser.rows({Rapid{{10}}, Power{120}, motion::Dwell{0.5}});

@@ -107,6 +107,8 @@ export const REFUSALS_ZH_HANT: Record<string, string> = {
   'offset-range': '補正值最大為 {most}',
   'start-alarm': '到達第 {line} 行之前：{why}',
   'joints-cannot': '無法移動：{why}',
+  'motion-variables': '運動紀錄沒有變數',
+  'motion-conditions': '運動紀錄沒有變數，因此沒有條件',
   'taught-wrong': '無法教導：{why}',
   'preview-replaced': '此預覽已由同一用戶端較新的預覽取代',
   'features-large': '{name} 超過 {most} MiB：任何長度的程式可用 `kerf features` 辨識',

@@ -1,0 +1,7 @@
+speed(10)
+pulse(0.4,0.6)
+line(5,0)
+move(10,0)
+pulse(0,0)
+line(15,0)
+' (finally records: power 40 at 1000 Hz; power 40 at 1000 Hz; line X5 Y0 Z0 F600; power 0 at 1000 Hz; rapid X10 Y0 Z0; power 40; power 40; line X15 Y0 Z0 F600; power 0; end)

@@ -1,0 +1,2 @@
+for air=1 to 2 ' (expect alarm LB0005 at air)
+next

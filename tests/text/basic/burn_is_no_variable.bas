@@ -1,0 +1,1 @@
+local burn ' (expect alarm LB0005 at burn)

@@ -1,0 +1,1 @@
+let pulse=1 ' (expect alarm LB0005 at pulse)

@@ -1,0 +1,1 @@
+input wait ' (expect alarm LB0005 at wait)

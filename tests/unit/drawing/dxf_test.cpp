@@ -240,6 +240,17 @@ TEST(Dxf, names_are_read_by_their_code_page) {
   EXPECT_EQ(layer_read("", "Gr\xFCn"), "Grün");
 }
 
+TEST(Dxf, two_bytes_of_a_code_page_are_one_letter_and_not_a_capital_one) {
+  const std::string header = section(
+      "HEADER",
+      "  9\n$ACADVER\n  1\nAC1015\n  9\n$DWGCODEPAGE\n  3\nANSI_936\n  9\n$INSUNITS\n 70\n4\n");
+  const std::string blocks = block("\x81\x41", {"LINE 11 1"}) + block("\x81\x61", {"LINE 11 2"});
+  const Drawn drawn =
+      read(header + section("BLOCKS", blocks) + entities({"INSERT 2 \x81\x61"}) + kEnd);
+  EXPECT_EQ(drawn.codes(), "");
+  EXPECT_DOUBLE_EQ(length(drawn.path(0)), 2);
+}
+
 TEST(Dxf, lines_may_end_in_both_ways_and_have_blanks_and_comments) {
   const std::string text =
       "999\r\nmade by hand\r\n0\r\nSECTION\r\n2\r\nENTITIES\r\n   0  \r\nLINE  "

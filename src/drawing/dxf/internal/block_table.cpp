@@ -34,7 +34,7 @@ Grid grid_of(const Record& insert) {
 }
 
 void BlockTable::begin(const Record& block) {
-  const auto [entry, is_new] = blocks_.try_emplace(key_of(block.text(2)));
+  const auto [entry, is_new] = blocks_.try_emplace(key_of(words_(block.text(2))));
   open_ = is_new ? &entry->second : nullptr;
   if (!is_new) return;
   in_order_.push_back(open_);
@@ -46,15 +46,13 @@ void BlockTable::add(const Record& record) {
   if (open_ != nullptr) open_->entries.push_back({record.compact()});
 }
 
-const Block* BlockTable::find(std::string_view name) const {
-  const auto found = blocks_.find(key_of(name));
+Block* BlockTable::entry(std::string_view raw) {
+  const auto found = blocks_.find(key_of(words_(raw)));
   return found == blocks_.end() ? nullptr : &found->second;
 }
 
 Block* BlockTable::child_of(const Record& record) {
-  if (record.kind() != "INSERT") return nullptr;
-  const auto found = blocks_.find(key_of(record.text(2)));
-  return found == blocks_.end() ? nullptr : &found->second;
+  return record.kind() == "INSERT" ? entry(record.text(2)) : nullptr;
 }
 
 void BlockTable::weigh() {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "drawing/dxf/internal/code_page.hpp"
 #include "drawing/dxf/internal/record.hpp"
 
 namespace kerf::drawing::dxf {
@@ -31,20 +32,24 @@ struct Grid {
 /// The blocks of a file by their names, in which small and capital letters are the same.
 class BlockTable {
  public:
+  explicit BlockTable(CodePage& words) : words_(words) {}
+
   /// A group BLOCK; what is added is of it. Of two with the same name the first one stays.
   void begin(const Record& block);
   void add(const Record& record);
   /// All have been read: finds what each weighs, and which would hold themselves.
   void weigh();
 
-  /// Null: there is none of this name.
-  [[nodiscard]] const Block* find(std::string_view name) const;
+  /// Null: there is none of this name, which is as the file has it.
+  [[nodiscard]] const Block* find(std::string_view raw) { return entry(raw); }
 
  private:
   struct Visit;
+  Block* entry(std::string_view raw);
   Block* child_of(const Record& record);
   void weigh(Block& block);
 
+  CodePage& words_;
   std::unordered_map<std::string, Block> blocks_;
   std::vector<Block*> in_order_;
   std::unordered_map<const Block*, int> states_;  // while they are weighed

@@ -22,10 +22,10 @@ std::optional<Colour> own_colour(const Record& record) {
 }
 
 Layer& LayerTable::entry(std::string_view raw) {
-  const auto [entry, is_new] = layers_.try_emplace(key_of(raw));
+  const std::string name(words_(raw));
+  const auto [entry, is_new] = layers_.try_emplace(key_of(name));
   Layer& layer = entry->second;
   if (is_new) {
-    const std::string name(words_(raw));
     layer.name = canvas_.name(name);
     layer.colour = colour_of_index(kForeground);
     layer.is_wanted = canvas_.wants(name);

@@ -42,7 +42,7 @@ class LayerTable {
 
 /// The colour that a record names itself, if it does: true colour, or by its index.
 [[nodiscard]] std::optional<Colour> own_colour(const Record& record);
-/// A name as it is looked for: ASCII letters in small.
+/// A name, UTF-8, as it is looked for: ASCII letters in small.
 [[nodiscard]] std::string key_of(std::string_view name);
 
 }  // namespace kerf::drawing::dxf

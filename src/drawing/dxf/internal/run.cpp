@@ -178,8 +178,9 @@ void Run::insert(const Record& record) {
   const Looks looks = looks_of(record);
   const Block* const block = sheet_.blocks.find(record.text(2));
   if (block == nullptr)
-    return refuse_insert(record, sheet_,
-                         fmt::format("inserts {}, which is not there", quoted(record.text(2))));
+    return refuse_insert(
+        record, sheet_,
+        fmt::format("inserts {}, which is not there", quoted(sheet_.words(record.text(2)))));
   if (around_.depth >= kDeepest)
     return refuse_insert(record, sheet_, fmt::format("is more than {} blocks deep", kDeepest));
   if (block->is_elsewhere)

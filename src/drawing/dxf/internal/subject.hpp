@@ -13,7 +13,7 @@ namespace kerf::drawing::dxf {
 
 /// What the entities of a file have in common.
 struct Sheet {
-  explicit Sheet(Canvas& on) : canvas(on), layers(on, words) {}
+  explicit Sheet(Canvas& on) : canvas(on), layers(on, words), blocks(words) {}
 
   Canvas& canvas;
   CodePage words;

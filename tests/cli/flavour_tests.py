@@ -83,8 +83,8 @@ def beam(lines):
 @test("a beam that follows its speed, a burn and air are what each flavour has for them")
 def beams(box):
     box.write("burn.nc", BURNS)
-    wanted = {"plain": ["M5", "M4 S600", "M3 S300", "M5", "M3 S300", "G1", "G4 P0.5", "M5", "M7", "M9", "M30"],
-              "linuxcnc": ["M5", "M3 S600", "M3 S300", "M5", "M3 S300", "G1", "G4 P0.5", "M5", "M7", "M9", "M2"]}
+    wanted = {"plain": ["M5", "M4 S600", "M3 S300", "M5", "M3 S300", "M5", "M3 S300", "G1", "G4 P0.5", "M5", "M7", "M9", "M30"],
+              "linuxcnc": ["M5", "M3 S600", "M3 S300", "M5", "M3 S300", "M5", "M3 S300", "G1", "G4 P0.5", "M5", "M7", "M9", "M2"]}
     wanted["grbl"] = [*wanted["plain"][:-1], "M5 M9 M2"]
     wanted["fanuc"] = [re.sub(r"\b([GM])(\d)\b", r"\g<1>0\2", block).replace("P0.5", "P500") for block in wanted["linuxcnc"]]
     wanted["fanuc"][-1] = "M30"
@@ -95,8 +95,8 @@ def beams(box):
         if flavour in ("plain", "grbl"):
             equal(lost, [], flavour)
         else:
-            equal(lost, [{"what": "power that follows the speed", "count": 1, "line": 3}], flavour)
-            check("(LINE 3: POWER FOLLOWS THE SPEED)" in lines, f"{flavour}: {lines}")
+            equal(lost, [{"what": "power that follows the speed", "count": 1, "line": 5}], flavour)
+            check("(LINE 5: POWER FOLLOWS THE SPEED)" in lines, f"{flavour}: {lines}")
 
 
 @test("axes that a flavour lacks are lost, told at their line, unless --axes names them")

@@ -1,11 +1,14 @@
 #include "control/records/records_control.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/decimal.hpp"
 #include "geometry/space_arc.hpp"
 #include "motion/radius_change.hpp"
+#include "motion/surface_path.hpp"
+#include "motion/thread_speed.hpp"
 
 namespace kerf::control {
 namespace {
@@ -103,11 +106,25 @@ bool RecordsControl::is_arc(const motion::SpaceArc& arc) {
   return circle || alarms_.raise(code_of(circle.error()));
 }
 
+bool RecordsControl::is_arc(const motion::SurfaceMove& move) {
+  const geometry::Vec2 from = motion::flat_of(move.surface, tip_);
+  if (!move.is_arc || length(from - geometry::Vec2{move.about[0], move.about[1]}) > kNoRadius_mm)
+    return true;
+  return alarms_.raise(Code::motion_radii, "it begins at its centre");
+}
+
+bool RecordsControl::is_thread(const motion::Thread& thread) {
+  const bool is_endless = std::isinf(motion::ThreadWay(thread, tip_, axes_).revolutions());
+  return !is_endless || alarms_.raise(Code::thread_lead_negative);
+}
+
 bool RecordsControl::is_made(const records::RecordBlock& record) {
-  if (const auto* const arc = std::get_if<motion::Arc>(&record.motion.action))
-    return is_arc(*arc, record);
-  const auto* const arc = std::get_if<motion::SpaceArc>(&record.motion.action);
-  return arc == nullptr || is_arc(*arc);
+  const auto& action = record.motion.action;
+  if (const auto* const arc = std::get_if<motion::Arc>(&action)) return is_arc(*arc, record);
+  if (const auto* const arc = std::get_if<motion::SpaceArc>(&action)) return is_arc(*arc);
+  if (const auto* const move = std::get_if<motion::SurfaceMove>(&action)) return is_arc(*move);
+  const auto* const thread = std::get_if<motion::Thread>(&action);
+  return thread == nullptr || is_thread(*thread);
 }
 
 bool RecordsControl::goes_nowhere(const motion::Motion& motion) const {

@@ -60,6 +60,8 @@ class RecordsControl final : public RecordControl {
   [[nodiscard]] bool is_made(const records::RecordBlock& record);
   [[nodiscard]] bool is_arc(const motion::Arc& arc, const records::RecordBlock& record);
   [[nodiscard]] bool is_arc(const motion::SpaceArc& arc);
+  [[nodiscard]] bool is_arc(const motion::SurfaceMove& move);
+  [[nodiscard]] bool is_thread(const motion::Thread& thread);
   [[nodiscard]] bool goes_nowhere(const motion::Motion& motion) const;
   [[nodiscard]] motion::Motion as_made(const records::RecordBlock& record);
   vm::Verdict behind(const motion::Motion& motion);

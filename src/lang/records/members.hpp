@@ -31,7 +31,8 @@ class Members {
   /// The place of the string among these, written without quotation marks.
   [[nodiscard]] std::size_t one_of(std::string_view name,
                                    std::initializer_list<std::string_view> words);
-  /// As many numbers as an array must have.
+  /// As many numbers as an array must have. The centre of a flat arc is far away.
+  static constexpr double kMostOfArray = 1e15;
   template <typename Numbers>
   void numbers(std::string_view name, Numbers& into) {
     const JsonValue* const array = find(name);
@@ -39,7 +40,8 @@ class Members {
     const std::size_t first = index_of(*array) + 1;
     if (array->end - first != into.size())
       return wrong(*array, "has " + std::to_string(into.size()) + " numbers");
-    for (std::size_t i = 0; i < into.size(); ++i) into[i] = number_of(line_.values()[first + i]);
+    for (std::size_t i = 0; i < into.size(); ++i)
+      into[i] = within(line_.values()[first + i], -kMostOfArray, kMostOfArray);
   }
   /// The number of an object in the line; nothing: there is none.
   [[nodiscard]] std::optional<std::size_t> object(std::string_view name, Need need = Need::needed);

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 15> kKinds = {
     "power", "probe", "thread", "mcode",     "stop",  "message", "end"};
 
 Feed feed_of(Members& members) {
-  const double value = members.number("feed", 0, kMostNumber);
+  const double value = members.number("feed", kLeastFeed, kMostNumber);
   constexpr std::array kModes = {FeedMode::per_minute, FeedMode::per_revolution,
                                  FeedMode::inverse_time};
   return {value,
@@ -154,8 +154,9 @@ void RecordParser::read_length(Members& members, Record& record) {
   if (!object) return;
   Members length(line_, *object);
   const std::string_view letter = length.string("axis");
-  ToolLength read{
-      length.number("mm", -kMostNumber, kMostNumber), length.whole("offset", kMostWhole), {}};
+  ToolLength read{length.number("mm", -kMostCoordinate, kMostCoordinate),
+                  length.whole("offset", kMostWhole),
+                  {}};
   if (!letter.empty())
     read.axis = axis(letter.substr(1, letter.size() - 2), *length.find("axis"), length);
   if (length.mistake()) return members.refuse(*length.mistake());
@@ -180,8 +181,8 @@ base::TipPoint RecordParser::point(const char* name, Members& members) {
       [&](const JsonValue& value) { static_cast<void>(axis(value.name, value, coordinates)); });
   for (std::size_t i = 0; i < axes_.count(); ++i) {
     const AxisConfig& config = axes_.axes[i];
-    at.values[i] =
-        coordinates.number({&config.letter, 1}, -kMostNumber, kMostNumber) / config.count_per_mm();
+    at.values[i] = coordinates.number({&config.letter, 1}, -kMostCoordinate, kMostCoordinate) /
+                   config.count_per_mm();
   }
   if (coordinates.mistake()) members.refuse(*coordinates.mistake());
   return at;
@@ -251,7 +252,7 @@ Motion::Action RecordParser::spindle(Members& members) {
   if (members.one_of("mode", {"rpm", "css"}) == 1)
     spindle.mode = Spindle::Mode::constant_surface_speed;
   spindle.max_rpm = members.number_if("max_rpm", 0, kMostNumber).value_or(0);
-  if (const auto centre = members.number_if("centre", -kMostNumber, kMostNumber)) {
+  if (const auto centre = members.number_if("centre", -kMostCoordinate, kMostCoordinate)) {
     spindle.centre = *centre;
     spindle.radius_axis = axes_.find('X');
   }
@@ -265,10 +266,11 @@ Motion::Action RecordParser::spindle(Members& members) {
 Motion::Action RecordParser::thread(Members& members) {
   Thread thread;
   thread.to = point("to", members);
-  thread.lead = members.number("lead", -kMostNumber, kMostNumber);
-  thread.lead_change = members.number_if("lead_change", -kMostNumber, kMostNumber).value_or(0);
-  thread.angle_deg = members.number_if("angle_deg", -kMostNumber, kMostNumber).value_or(0);
-  thread.depth_mm = members.number_if("depth_mm", 0, kMostNumber).value_or(0);
+  thread.lead = members.number("lead", -kMostCoordinate, kMostCoordinate);
+  thread.lead_change =
+      members.number_if("lead_change", -kMostCoordinate, kMostCoordinate).value_or(0);
+  thread.angle_deg = members.number_if("angle_deg", -kMostCoordinate, kMostCoordinate).value_or(0);
+  thread.depth_mm = members.number_if("depth_mm", 0, kMostCoordinate).value_or(0);
   return thread;
 }
 
@@ -288,10 +290,10 @@ Motion::Action RecordParser::surface_move(Members& members, std::size_t object, 
   } else if (const JsonValue* const value = said.find("axes")) {
     said.wrong(*value, "is not the letters of two axes");
   }
-  surface.centre_mm = said.number("centre_mm", -kMostNumber, kMostNumber);
-  surface.zero_deg = said.number("zero_deg", -kMostNumber, kMostNumber);
+  surface.centre_mm = said.number("centre_mm", -kMostCoordinate, kMostCoordinate);
+  surface.zero_deg = said.number("zero_deg", -kMostCoordinate, kMostCoordinate);
   surface.side = said.number("side", -1, 1) < 0 ? -1 : 1;
-  surface.radius_mm = said.number("radius_mm", 0, kMostNumber);
+  surface.radius_mm = said.number("radius_mm", 0, kMostCoordinate);
   if (surface.kind == Surface::Kind::cylinder && surface.radius_mm == 0 && !said.mistake())
     said.wrong(*said.find("radius_mm"), "is 0: a cylinder has one");
   said.numbers("to", move.flat_to);

@@ -10,8 +10,12 @@
 
 namespace kerf::records {
 
-/// Most that a coordinate, a feed, a speed or a time may be.
+/// Most that a coordinate may be, mm or degrees.
+inline constexpr double kMostCoordinate = 1e6;
+/// Most that a feed, a speed or a time may be.
 inline constexpr double kMostNumber = 1e9;
+/// Least feed.
+inline constexpr double kLeastFeed = 1e-6;
 
 /// Makes a motion of a line of --motion (docs/motions.md), as far as the line alone shows it:
 /// whether an arc is one depends on where it begins. All that --motion always writes must be there.

@@ -289,6 +289,15 @@ M30
 """
 
 
+@test("features: a facing cut may be fed in before, and lie beyond the axis")
+def infed_facing(box):
+    for side in ("", "-"):
+        program = (f"O1\nT0101\nG97S900M03\nG00X{side}54.Z2.\nG01Z-1.F0.2\nX0.\nG00Z2.\nX{side}54.\n"
+                   "G01Z-2.\nX0.\nG00Z2.\nX100.Z50.\nM30\n")
+        tree = tree_of(box, program, "--machine", "lathe2", "--stock", "bar:50,-100,0", tools=INSERTS)
+        equal([(feature["type"], feature["z"]) for feature in tree["features"]], [("facing", [0, -2])], "on side " + side)
+
+
 @test("features: a lathe's are faces, contours with their elements, grooves, threads and bores")
 def lathe(box):
     tree = tree_of(box, TURNED, "--machine", "lathe2", "--stock", "bar:50,-100,1", tools=INSERTS)

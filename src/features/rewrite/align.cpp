@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "features/path/tolerance.hpp"
+#include "features/rewrite/contour_chain.hpp"
 #include "features/rewrite/planned_row.hpp"
 
 namespace kerf::features {
@@ -51,6 +53,19 @@ int sort_of(const Whole& motion) {
 bool is_same_sort(const Whole& a, const Whole& b) { return sort_of(a) == sort_of(b); }
 bool is_same_kind(const Whole& a, const Whole& b) {
   return a.row.kind == b.row.kind && a.row.arc.has_value() == b.row.arc.has_value();
+}
+
+/// Lines on one line, and arcs on one circle, in one sense: what has other ends on its element.
+template <bool kTurns>
+bool is_on_same_element(const Whole& a, const Whole& b) {
+  const auto flat = [](Vec3 v) { return kTurns ? Vec2{v.z, v.x} : Vec2{v.x, v.y}; };
+  if (a.row.arc.has_value() != b.row.arc.has_value() || a.row.kind != b.row.kind) return false;
+  if (!a.row.arc) return lie_along({flat(a.from), flat(a.row.to)}, {flat(b.from), flat(b.row.to)});
+  const double off = geometry::length(a.row.arc->centre - b.row.arc->centre);
+  const double larger = geometry::length(flat(a.from) - a.row.arc->centre) -
+                        geometry::length(flat(b.from) - b.row.arc->centre);
+  return off <= kSamePoint_mm && std::fabs(larger) <= kSamePoint_mm &&
+         std::signbit(a.row.arc->sweep_rad) == std::signbit(b.row.arc->sweep_rad);
 }
 
 using Wholes = std::vector<Whole>;
@@ -182,9 +197,8 @@ Wholes news_of(Vec3 begin, const std::vector<PlannedRow>& rows) {
 using PairUp = void (*)(const Wholes&, const Wholes&, Window, Same, Pairs&);
 
 /// Between the motions that are equal, those that are alike.
-Pairs pairs_of(const Wholes& olds, const Wholes& news, Same is_alike, PairUp pair_alike) {
-  Pairs equal;
-  pair_up(olds, news, {0, olds.size(), 0, news.size()}, is_same, equal);
+Pairs pairs_between(Pairs equal, const Wholes& olds, const Wholes& news, Same is_alike,
+                    PairUp pair_alike) {
   Pairs pairs;
   Window gap{};
   equal.emplace_back(olds.size(), news.size());
@@ -199,6 +213,12 @@ Pairs pairs_of(const Wholes& olds, const Wholes& news, Same is_alike, PairUp pai
   return pairs;
 }
 
+Pairs equal_pairs_of(const Wholes& olds, const Wholes& news) {
+  Pairs equal;
+  pair_up(olds, news, {0, olds.size(), 0, news.size()}, is_same, equal);
+  return equal;
+}
+
 }  // namespace
 
 // What came straight down comes straight down where it shall: nothing has to bring the tool there
@@ -208,8 +228,10 @@ void align(const Recording& recording, Span old, Vec3 begin, std::vector<Planned
       !rows.empty() && rows.front().was && is_upright(recording, *rows.front().was);
   if (is_down) begin = {rows.front().to.x, rows.front().to.y, begin.z};
   for (PlannedRow& row : rows) row.was.reset();
+  const Wholes olds = olds_of(recording, old);
+  const Wholes news = news_of(begin, rows);
   for (const auto& [a, b] :
-       pairs_of(olds_of(recording, old), news_of(begin, rows), is_same_sort, pair_up))
+       pairs_between(equal_pairs_of(olds, news), olds, news, is_same_sort, pair_up))
     rows[b].was = old.first + static_cast<std::uint32_t>(a);
 }
 
@@ -219,7 +241,11 @@ void align(const Recording& recording, const std::vector<std::uint32_t>& olds, V
   for (const std::uint32_t row : olds)
     wholes.push_back({recording.from(row), as_it_is(recording, row)});
   for (PlannedRow& row : rows) row.was.reset();
-  for (const auto& [a, b] : pairs_of(wholes, news_of(begin, rows), is_same_kind, pair_by_reaches))
+  const Wholes news = news_of(begin, rows);
+  const Same is_along = recording.turns ? is_on_same_element<true> : is_on_same_element<false>;
+  const Pairs along =
+      pairs_between(equal_pairs_of(wholes, news), wholes, news, is_along, pair_by_reaches);
+  for (const auto& [a, b] : pairs_between(along, wholes, news, is_same_kind, pair_by_reaches))
     rows[b].was = olds[a];
 }
 

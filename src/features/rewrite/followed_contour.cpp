@@ -57,7 +57,8 @@ Vec2 new_begin(const Edge& was, const Edge& is, Vec2 old) {
   if (is_on_line(is, old) && geometry::dot(way_at_start(is), is.from - old) >= least) return old;
   if (is.bulge == 0) {
     const Vec2 there = at_same_place(is, old);
-    if (geometry::dot(way_at_start(is), is.from - there) >= least) return there;
+    const double run = geometry::dot(way_at_start(is), is.from - there);
+    if (run >= least && run <= before / kLeastRunIn) return there;
   }
   return is.from - before * way_at_start(is);
 }

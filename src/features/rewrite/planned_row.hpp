@@ -45,8 +45,8 @@ using RowPlan = std::vector<Stretch>;
 /// the longest common row of them; between those lines with lines and arcs with arcs. `begin`:
 /// where the first of them begins.
 void align(const Recording& recording, Span old, Vec3 begin, std::vector<PlannedRow>& rows);
-/// Likewise of some old rows that go along a contour, one behind the other: any line becomes any
-/// line, any arc any arc.
+/// Likewise of some old rows that go along a contour, one behind the other: behind equal motions
+/// those along one element, then any line with any line, any arc with any arc.
 void align(const Recording& recording, const std::vector<std::uint32_t>& olds, Vec3 begin,
            std::vector<PlannedRow>& rows);
 

@@ -14,11 +14,10 @@ using contour::Contour;
 // Of the arcs that the tool would have to go round on their inside the smallest, if it cannot.
 std::optional<double> smallest_corner(const Clearing& clearing) {
   std::optional<double> least;
-  if (clearing.is_outside) return least;
   for (const Contour& wall : clearing.region.loops) {
     for (std::size_t i = 0; i < contour::edge_count(wall); ++i) {
       const contour::Edge edge = contour::edge_of(wall, i);
-      if (edge.bulge <= 0) continue;
+      if (edge.bulge == 0 || (edge.bulge > 0) == clearing.is_outside) continue;
       const double radius = contour::radius(edge);
       if (radius < clearing.tool_radius - 3 * kSamePoint_mm)
         least = std::min(least.value_or(radius), radius);
@@ -27,15 +26,25 @@ std::optional<double> smallest_corner(const Clearing& clearing) {
   return least;
 }
 
-}  // namespace
-
-tl::expected<void, CannotCut> check_corners(const Clearing& clearing) {
+tl::expected<void, CannotCut> check_arcs(const Clearing& clearing) {
   const auto radius = smallest_corner(clearing);
   if (!radius) return {};
   return tl::unexpected(
       CannotCut{base::Code::edit_tool_too_big,
                 "CORNER RADIUS " + base::rounded_text(*radius, 3) + " IS SMALLER THAN THE TOOL'S " +
                     base::rounded_text(clearing.tool_radius, 3) + ": LEAVE IT SHARP"});
+}
+
+}  // namespace
+
+tl::expected<void, CannotCut> check_corners(const Clearing& clearing) {
+  if (clearing.is_outside) return {};
+  return check_arcs(clearing);
+}
+
+tl::expected<void, CannotCut> check_hollows(const Clearing& clearing) {
+  if (!clearing.is_outside) return {};
+  return check_arcs(clearing);
 }
 
 double radius_of_tool(const Recording& recording, const NewLayer& wanted, Span visit) {

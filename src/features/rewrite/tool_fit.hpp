@@ -14,4 +14,7 @@ namespace kerf::features {
 /// No arc of the walls is one that the tool would have to go round on its inside and cannot.
 [[nodiscard]] tl::expected<void, CannotCut> check_corners(const Clearing& clearing);
 
+/// Likewise of what stands, where the tool goes round it outside.
+[[nodiscard]] tl::expected<void, CannotCut> check_hollows(const Clearing& clearing);
+
 }  // namespace kerf::features

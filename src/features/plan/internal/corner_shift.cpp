@@ -31,8 +31,9 @@ Edge swapped(const Edge& edge) { return {swapped(edge.from), swapped(edge.to), -
 void append_places(const Edge& edge, double height, std::vector<double>& places) {
   if (edge.bulge != 0) {
     const Vec2 centre = contour::centre(edge);
-    const double square = std::pow(contour::radius(edge), 2) - std::pow(height - centre.v, 2);
-    const double half = std::sqrt(std::max(0.0, square));
+    const double radius = contour::radius(edge);
+    const double rise = height - centre.v;
+    const double half = std::sqrt(std::max(0.0, radius * radius - rise * rise));
     for (const double u : {centre.u - half, centre.u + half}) {
       if (contour::distance(edge, {u, height}) <= kSamePoint_mm) places.push_back(u);
     }

@@ -88,7 +88,9 @@ class FeatureMaker {
   void want(std::size_t as, std::size_t layer, double z) {
     contour::Region stays = stays_;
     for (contour::Contour& loop : stays.loops) loop = moved(std::move(loop), flat(wish_.by));
-    scene_.plan.wanted.push_back({feature_, as, moved(rules_.contours(layer), flat(wish_.by)),
+    LayerContours contours = rules_.contours(layer);
+    if (rules_.is_other(layer)) contours = with_what_stays(scene_, feature_, std::move(contours));
+    scene_.plan.wanted.push_back({feature_, as, moved(std::move(contours), flat(wish_.by)),
                                   z + wish_.by.z, wish_.tool, std::move(stays)});
   }
 
@@ -194,8 +196,9 @@ class FeatureMaker {
 ContourEdit& contour_edit(const Feature& feature, std::size_t layer, FeatureWish& wish) {
   const auto known = wish.layers.find(layer);
   if (known != wish.layers.end()) return known->second;
-  return wish.layers
-      .emplace(layer, ContourEdit(moved(contours_of(feature.layers[layer]), flat(wish.by))))
+  LayerContours contours = contours_of(feature.layers[layer]);
+  if (leaves_what_stays(feature)) contours.islands.clear();
+  return wish.layers.emplace(layer, ContourEdit(moved(std::move(contours), flat(wish.by))))
       .first->second;
 }
 

@@ -7,6 +7,8 @@
 #include "features/rewrite/followed_contour.hpp"
 #include "features/rewrite/regenerate.hpp"
 #include "features/rewrite/tool_fit.hpp"
+#include "features/tree/normal_form.hpp"
+#include "geometry/contour/offset.hpp"
 #include "math/math.hpp"
 
 namespace kerf::features {
@@ -16,14 +18,17 @@ using base::Code;
 using contour::Contour;
 
 constexpr int kLooks = 32;                // along the way between a lead and where it comes from
-constexpr double kFollowsTurn_rad = 0.5;  // less than that a lead keeps its direction
+constexpr double kMostMove = 0.5;         // of the way to a lead, that its end moves alone
+constexpr double kFollowsTurn_rad = 0.5;  // less than that a straight lead keeps its direction
+constexpr double kSmooth_rad = 1e-5;
 
 /// A lead-in or lead-out goes along with the point that it leads to.
 class Lead {
  public:
-  explicit Lead(const MovedEnd& end) : end_(end) {
-    is_still_ = geometry::length(end.is - end.was) <= kSamePoint_mm;
-    const bool turns = !is_still_ && std::fabs(end.turned_rad) > kFollowsTurn_rad;
+  /// `is_round`: by an arc, which goes over smoothly into the contour.
+  Lead(const MovedEnd& end, bool is_round) : end_(end) {
+    const bool turns = std::fabs(end.turned_rad) > (is_round ? kSmooth_rad : kFollowsTurn_rad);
+    is_still_ = geometry::length(end.is - end.was) <= kSamePoint_mm && !(turns && is_round);
     const auto [sine, cosine] = math::sine_cosine(turns ? end.turned_rad : 0);
     sine_ = sine;
     cosine_ = cosine;
@@ -56,8 +61,8 @@ class FollowedVisit {
         visit_(visit),
         chain_(chain),
         now_(now),
-        in_(now.begin),
-        out_(now.end) {}
+        in_(now.begin, is_arc(chain.rows.first - 1)),
+        out_(now.end, is_arc(chain.rows.last + 1)) {}
 
   /// `before`, `wanted`: the contours; `stands`: the tool is outside of them.
   [[nodiscard]] Stretch make(const Contour& before, const Contour& wanted, bool stands) {
@@ -65,7 +70,10 @@ class FollowedVisit {
       return contour::side_of(wanted, point, kSamePoint_mm) ==
              (stands ? contour::Side::outside : contour::Side::inside);
     };
-    const auto stays_clear = [&](Vec2 point, Vec2 end) {
+    const auto stays_clear = [&](Vec2 point, const MovedEnd& lead) {
+      const Vec2 end = lead.is;
+      if (geometry::length(end - lead.was) > kMostMove * geometry::length(point - lead.was))
+        return false;
       const double least = std::min(contour::distance(before, point), least_clearance_mm_);
       bool is_clear = contour::distance(wanted, point) >= least;
       for (int i = 0; i < kLooks; ++i)
@@ -73,11 +81,11 @@ class FollowedVisit {
       return is_clear;
     };
     Stretch stretch{.rows = visit_};
-    bool goes = !in_.is_still() && !stays_clear(begin_of_lead(), now_.begin.is);
+    bool goes = !in_.is_still() && !stays_clear(begin_of_lead(), now_.begin);
     for (std::uint32_t row = visit_.first; row < chain_.rows.first; ++row)
       stretch.becomes.push_back(led(row, in_, goes));
     stretch.becomes.insert(stretch.becomes.end(), now_.rows.begin(), now_.rows.end());
-    goes = !out_.is_still() && !stays_clear(end_of_lead(), now_.end.is);
+    goes = !out_.is_still() && !stays_clear(end_of_lead(), now_.end);
     for (std::uint32_t row = chain_.rows.last + 1; row <= visit_.last; ++row)
       stretch.becomes.push_back(led(row, out_, goes));
     return stretch;
@@ -85,6 +93,9 @@ class FollowedVisit {
   void keep_clear_by(double mm) { least_clearance_mm_ = mm; }
 
  private:
+  [[nodiscard]] bool is_arc(std::uint32_t row) const {
+    return row < recording_.count() && recording_.moves[row].shape == Move::Shape::arc;
+  }
   [[nodiscard]] bool is_lead(std::uint32_t row) const {
     return recording_.moves[row].cuts() &&
            recording_.state_of(recording_.moves[row]).is_compensated();
@@ -129,6 +140,8 @@ Editing<Stretch> contour_followed(const EditScene& scene, std::size_t feature, s
                           .tool_radius = radius};
   if (auto fits = check_corners(clearing); !fits)
     return scene.refuse(fits.error().code, fits.error().sentence);
+  if (auto fits = check_hollows(clearing); !fits)
+    return scene.refuse(fits.error().code, fits.error().sentence);
   const Span visit = whole_visit(scene.recording, old);
   const auto chain = chain_along(scene.recording, visit, old.nominal);
   if (!chain) return vertices_followed(scene, feature, layer, contours);
@@ -137,6 +150,20 @@ Editing<Stretch> contour_followed(const EditScene& scene, std::size_t feature, s
   FollowedVisit made(scene.recording, visit, *chain, *now);
   made.keep_clear_by(radius);
   return made.make(old.nominal, contours.outer, clearing.is_outside);
+}
+
+bool leaves_what_stays(const Feature& feature) {
+  return feature.type == FeatureType::inside_profile && feature.compensated != Compensation::none;
+}
+
+LayerContours with_what_stays(const EditScene& scene, std::size_t feature, LayerContours contours) {
+  const Feature& its = scene.tree.features[feature];
+  if (!leaves_what_stays(its)) return contours;
+  const contour::Region left =
+      contour::offset(region_between(contours.outer, {}), -scene.recording.diameter_of(its.tool));
+  contours.islands.clear();
+  for (const Contour& loop : left.loops) contours.islands.push_back(normal_form(loop));
+  return contours;
 }
 
 }  // namespace kerf::features

@@ -56,6 +56,13 @@ std::vector<Entry> entries_of(const Pass& pass, const AlongRules& rules) {
   return entries;
 }
 
+Vec2 origin_of(const MachineFacts& machine) {
+  const auto x = machine.axes.find('X');
+  const auto y = machine.axes.find('Y');
+  if (!machine.axes.linked || !x || !y) return {};
+  return {machine.axes.start[*x], machine.axes.start[*y]};
+}
+
 class Planner {
  public:
   Planner(const drawing::Drawing& drawing, const Sheet& sheet, const Recipe& recipe,
@@ -64,6 +71,7 @@ class Planner {
     plan_.machine = machine;
     plan_.copies = copies_of(recipe.array);
     plan_.end = recipe.end;
+    plan_.origin = at_ = origin_of(machine);
     plan_.wrap = recipe.wrap;
     plan_.tolerance_mm = recipe.tolerance;
   }
@@ -224,7 +232,7 @@ class Planner {
       items.push_back({entries_of(pass, planned.rules), pass.before});
     const bool is_last = index + 1 == plan_.operations.size();
     const bool comes_back = is_last && plan_.end.kind != EndKind::stay;
-    const Ends ends{at_, comes_back, plan_.end.kind == EndKind::point ? plan_.end.at : Vec2{}};
+    const Ends ends{at_, comes_back, plan_.end.kind == EndKind::point ? plan_.end.at : plan_.origin};
     Order order = recipe_.by_travel ? find_order(items, ends) : file_order(items, ends);
     planned.turns = std::move(order.turns);
     plan_.travel_file_mm += order.travel_file_mm;

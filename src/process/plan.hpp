@@ -35,6 +35,7 @@ struct Plan {
   MachineFacts machine;
   std::vector<PlannedOperation> operations;
   std::vector<drawing::Affine> copies;  ///< of the array, in the order in which they are made
+  Vec2 origin;  ///< where the way begins: the work origin, of a linkage where its joints are 0
   End end;
   Wrap wrap;
   double tolerance_mm = 0.01;

@@ -346,7 +346,7 @@ void PlanReader::finish() {
     beam(0);
     emit(motion::Rapid{wrapping_->tip(flat_, plan_.wrap.clearance, at_), true});
   } else if (!plan_.operations.empty() && plan_.end.kind != EndKind::stay)
-    rapid_to(plan_.end.kind == EndKind::point ? plan_.end.at : Vec2{});
+    rapid_to(plan_.end.kind == EndKind::point ? plan_.end.at : plan_.origin);
   emit(motion::End{});
 }
 

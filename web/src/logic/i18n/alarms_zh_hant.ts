@@ -1,4 +1,5 @@
 /** Every code of src/base/diagnostic_codes.def in Traditional Chinese: what is wrong, why, and what to do. */
+import { DRAW_ALARMS_ZH_HANT } from './draw_alarms_zh_hant';
 import { EDIT_ALARMS_ZH_HANT } from './edit_alarms_zh_hant';
 import { OWN_ALARMS_ZH_HANT } from './own_alarms_zh_hant';
 
@@ -6,6 +7,7 @@ import { OWN_ALARMS_ZH_HANT } from './own_alarms_zh_hant';
 export const ALARMS_ZH_HANT: Record<string, [message: string, cause: string, remedy: string]> = {
   ...OWN_ALARMS_ZH_HANT,
   ...EDIT_ALARMS_ZH_HANT,
+  ...DRAW_ALARMS_ZH_HANT,
   PS0003: [
     '位數過多',
     '數值位數超過控制器上限：換算為最小單位後最多 9 位，巨集敘述最多 12 位。',

@@ -232,9 +232,11 @@ class Planner {
       items.push_back({entries_of(pass, planned.rules), pass.before});
     const bool is_last = index + 1 == plan_.operations.size();
     const bool comes_back = is_last && plan_.end.kind != EndKind::stay;
-    const Ends ends{at_, comes_back, plan_.end.kind == EndKind::point ? plan_.end.at : plan_.origin};
+    const Ends ends{at_, comes_back,
+                    plan_.end.kind == EndKind::point ? plan_.end.at : plan_.origin};
     Order order = recipe_.by_travel ? find_order(items, ends) : file_order(items, ends);
     planned.turns = std::move(order.turns);
+    plan_.travel_order_mm += order.travel_mm;
     plan_.travel_file_mm += order.travel_file_mm;
     plan_.travel_nearest_mm += order.travel_nearest_mm;
     if (!planned.turns.empty()) {

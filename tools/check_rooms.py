@@ -97,6 +97,7 @@ ROOMS = {
     "features/merge": ["features/rewrite"],
     "features/plan": ["features/edit", "features/rewrite"],
     "job": ["machine/run", "features/edit", "features/merge", "features/plan", "output/features", "output/records", "output/reports", "output/part", "output/solid", "stock/field", "stock/dexel", "stock/turned", "stock/turnmill", "stock/sheet", "stock/saved"],
+    "job/drawing": ["output/drawings", "drawing/dxf", "drawing/svg", "drawing/trace", "drawing/contours", "drawing/font", "machine/run"],
     "job/live": ["job", "stock/replay"],
     "training": ["job", "stock/compare"],
     "face/server/protocol": ["machine/panel", "output/writing", "job/live"],

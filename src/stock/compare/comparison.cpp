@@ -102,7 +102,7 @@ class PartRow {
     std::vector<Stretch> there;
     for (const Part::Line& line : row_.lines) {
       there.clear();
-      design_.inside(line.axis, line.b, line.c, line_hint_, there);
+      design_.inside_near(line.axis, line.b, line.c, line_hint_, there);
       const auto here = std::span(row_.stretches).subspan(line.first, line.end - line.first);
       each_difference(here, there, [&](const Difference& one) { add(line, one); });
     }

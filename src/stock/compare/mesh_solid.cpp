@@ -316,7 +316,8 @@ const NearTree::Start* MeshSolid::start_for(int axis, double b, double c, Hint& 
   return &hint.start;
 }
 
-void MeshSolid::inside(int axis, double b, double c, Hint& hint, std::vector<Stretch>& out) const {
+void MeshSolid::inside_near(int axis, double b, double c, Hint& hint,
+                            std::vector<Stretch>& out) const {
   const NearTree::Start* const start = start_for(axis, b, c, hint);
   std::vector<Crossing> found = crossings(axis, b, c, start);
   const auto is_even = [&] {

@@ -32,9 +32,10 @@ class MeshSolid final : public Solid {
   void points(std::size_t row, double spacing_mm, std::vector<SurfacePoint>& out) const override;
   void inside(int axis, double b, double c, std::vector<Stretch>& out) const override {
     Hint nowhere;
-    inside(axis, b, c, nowhere, out);
+    inside_near(axis, b, c, nowhere, out);
   }
-  void inside(int axis, double b, double c, Hint& hint, std::vector<Stretch>& out) const override;
+  void inside_near(int axis, double b, double c, Hint& hint,
+                   std::vector<Stretch>& out) const override;
 
   /// Whether the solid is there. Of places on the surface either.
   [[nodiscard]] bool holds(Vec3 place) const;

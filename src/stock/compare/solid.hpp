@@ -61,8 +61,8 @@ class Solid : public base::Interface {
   /// Y, Z, b the coordinate on the next axis, c on the one after that, as dexel::Inside.
   virtual void inside(int axis, double b, double c, std::vector<Stretch>& out) const = 0;
   /// The same where neighbours of the line are asked for as well.
-  virtual void inside(int axis, double b, double c, Hint& /*hint*/,
-                      std::vector<Stretch>& out) const {
+  virtual void inside_near(int axis, double b, double c, Hint& /*hint*/,
+                           std::vector<Stretch>& out) const {
     inside(axis, b, c, out);
   }
 };

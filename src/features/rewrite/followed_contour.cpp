@@ -280,7 +280,7 @@ class Follower {
   // Which blocks stay. What comes in is fed as what comes before it.
   [[nodiscard]] bool pair(NamedEnds named) {
     std::vector<PlannedRow>& rows = made_.rows;
-    align(recording_, rows_, lifted(made_.begin.is), rows);
+    align_along(recording_, rows_, lifted(made_.begin.is), rows);
     if (named.first && !pin(rows.front(), rows_.front())) return false;
     if (named.last && !pin(rows.back(), rows_.back())) return false;
     std::uint32_t like = rows_.front();

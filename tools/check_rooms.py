@@ -104,7 +104,7 @@ ROOMS = {
     "face/server/store": ["face/server/protocol"],
     "face/server/hub": ["face/server/store", "training"],
     "face/server/transport": ["face/server/hub"],
-    "face/cli": ["engraver", "job", "machine/panel"],
+    "face/cli": ["engraver", "job", "machine/panel", "job/drawing"],
     "face": ["face/cli", "face/server/transport"],
 }
 

@@ -25,7 +25,7 @@ std::vector<Affine> ring_of(const Array& array) {
   return copies;
 }
 
-/// Row by row, to and fro.
+/// Row by row, every second one backwards.
 std::vector<Affine> copies_of(const Array& array) {
   if (array.count > 0) return ring_of(array);
   std::vector<Affine> copies;
@@ -166,7 +166,7 @@ class Planner {
 
   [[nodiscard]] double run_up(const Operation& operation, const Settled& settled) const {
     const double angle = operation.angle_deg * std::numbers::pi / 180;
-    return run_up_mm(plan_.machine, settled.feed, {std::cos(angle), std::sin(angle)});
+    return run_up_mm(plan_.machine, settled.feed, {math::cos(angle), math::sin(angle)});
   }
 
   void add(std::size_t index) {

@@ -1,4 +1,4 @@
-#include "face/cli/draw_order.hpp"
+#include "face/cli/internal/draw_order.hpp"
 
 #include <algorithm>
 

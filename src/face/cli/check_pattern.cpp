@@ -4,8 +4,8 @@
 
 #include "base/decimal.hpp"
 #include "engraver/pattern_replay.hpp"
+#include "face/cli/internal/pattern_play.hpp"
 #include "face/cli/pattern_files.hpp"
-#include "face/cli/pattern_play.hpp"
 
 namespace kerf::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "drawing/colour_index.hpp"
 #include "drawing/dxf/internal/kinds.hpp"
@@ -115,8 +116,9 @@ void Run::take(const Record& record) {
   end();
   if (record.kind() == "SEQEND" || !is_usable(record)) return;
   if (record.kind() == "POLYLINE") {
-    polyline_.emplace();
-    polyline_->head = record.compact();
+    Polyline begun;
+    begun.head = record.compact();
+    polyline_ = std::move(begun);
     return;
   }
   draw(record);

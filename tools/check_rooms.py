@@ -97,14 +97,14 @@ ROOMS = {
     "features/merge": ["features/rewrite"],
     "features/plan": ["features/edit", "features/rewrite"],
     "job": ["machine/run", "features/edit", "features/merge", "features/plan", "output/features", "output/records", "output/reports", "output/part", "output/solid", "stock/field", "stock/dexel", "stock/turned", "stock/turnmill", "stock/sheet", "stock/saved"],
-    "job/drawing": ["machine/run", "output/drawings", "drawing/contours", "drawing/dxf", "drawing/font", "drawing/image", "drawing/svg", "drawing/trace"],
+    "job/drawing": ["output/drawings", "drawing/dxf", "drawing/svg", "drawing/trace", "drawing/contours", "drawing/font", "machine/run"],
     "job/live": ["job", "stock/replay"],
     "training": ["job", "stock/compare"],
     "face/server/protocol": ["machine/panel", "output/writing", "job/live"],
     "face/server/store": ["face/server/protocol"],
     "face/server/hub": ["face/server/store", "training"],
     "face/server/transport": ["face/server/hub"],
-    "face/cli": ["engraver", "job", "job/drawing", "machine/panel"],
+    "face/cli": ["engraver", "job", "machine/panel", "job/drawing"],
     "face": ["face/cli", "face/server/transport"],
 }
 

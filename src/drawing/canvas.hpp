@@ -69,6 +69,8 @@ class Canvas {
   /// Whether the budget is enough for so many entities more, which those of a line would be; if not
   /// it is used up now, without their being made one by one.
   [[nodiscard]] bool has_room_for(double entities, std::uint32_t line);
+  /// Entities that were drawn.
+  [[nodiscard]] std::size_t count() const { return drawing_.entities.size(); }
   /// No more lines and arcs than this for each of the entities that are allowed.
   static constexpr std::uint64_t kVerticesOfAnEntity = 8;
   /// As is_over(), of a clone or what stands in a block: the budget of entities counts it too, also

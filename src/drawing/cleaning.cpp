@@ -17,9 +17,9 @@ bool is_shorter(const contour::Contour& path, double least_mm) {
   return true;
 }
 
-/// Edges of no length have no direction, and say nothing.
+/// Edges of next to no length have a direction by rounding alone, and no machine makes them.
 void drop_empty_edges(contour::Contour& path) {
-  constexpr double kNothing_mm = 1e-9;
+  constexpr double kNothing_mm = 1e-6;
   std::vector<contour::Vertex> kept;
   for (const contour::Vertex& vertex : path.vertices) {
     if (!kept.empty() && geometry::length(vertex.point - kept.back().point) <= kNothing_mm) {

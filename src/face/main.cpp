@@ -35,6 +35,7 @@ struct Execute {
   ExitStatus operator()(const ServeOptions& options) const { return kerf::serve(options); }
   ExitStatus operator()(const ToolsOptions& options) const { return tools(options); }
   ExitStatus operator()(const MachinesOptions& options) const { return machines(options.name); }
+  ExitStatus operator()(const MaterialsOptions& options) const { return materials(options.name); }
   ExitStatus operator()(const Answer& answer) const {
     std::fputs(answer.text.c_str(), stdout);
     return ExitStatus::well;

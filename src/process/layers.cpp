@@ -3,16 +3,18 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace kerf::process {
 namespace {
 
 bool has_class(std::string_view classes, std::string_view wanted) {
-  std::istringstream words{std::string(classes)};
-  std::string word;
-  while (words >> word)
-    if (word == wanted) return true;
+  constexpr std::string_view kBlanks = " \t\r\n";
+  for (std::size_t begin = 0; begin < classes.size();) {
+    begin = std::min(classes.find_first_not_of(kBlanks, begin), classes.size());
+    const std::size_t end = std::min(classes.find_first_of(kBlanks, begin), classes.size());
+    if (begin < end && classes.substr(begin, end - begin) == wanted) return true;
+    begin = end;
+  }
   return false;
 }
 

@@ -25,7 +25,7 @@ std::vector<Affine> ring_of(const Array& array) {
   return copies;
 }
 
-/// Row by row, to and fro.
+/// Row by row, every second one backwards.
 std::vector<Affine> copies_of(const Array& array) {
   if (array.count > 0) return ring_of(array);
   std::vector<Affine> copies;
@@ -166,7 +166,7 @@ class Planner {
 
   [[nodiscard]] double run_up(const Operation& operation, const Settled& settled) const {
     const double angle = operation.angle_deg * std::numbers::pi / 180;
-    return run_up_mm(plan_.machine, settled.feed, {std::cos(angle), std::sin(angle)});
+    return run_up_mm(plan_.machine, settled.feed, {math::cos(angle), math::sin(angle)});
   }
 
   void add(std::size_t index) {
@@ -232,9 +232,11 @@ class Planner {
       items.push_back({entries_of(pass, planned.rules), pass.before});
     const bool is_last = index + 1 == plan_.operations.size();
     const bool comes_back = is_last && plan_.end.kind != EndKind::stay;
-    const Ends ends{at_, comes_back, plan_.end.kind == EndKind::point ? plan_.end.at : plan_.origin};
+    const Ends ends{at_, comes_back,
+                    plan_.end.kind == EndKind::point ? plan_.end.at : plan_.origin};
     Order order = recipe_.by_travel ? find_order(items, ends) : file_order(items, ends);
     planned.turns = std::move(order.turns);
+    plan_.travel_order_mm += order.travel_mm;
     plan_.travel_file_mm += order.travel_file_mm;
     plan_.travel_nearest_mm += order.travel_nearest_mm;
     if (!planned.turns.empty()) {

@@ -39,7 +39,8 @@ struct Plan {
   End end;
   Wrap wrap;
   double tolerance_mm = 0.01;
-  double travel_file_mm = 0;     ///< ways between passes in the order of the drawing
+  double travel_order_mm = 0;    ///< ways between passes, as they are made
+  double travel_file_mm = 0;     ///< in the order of the drawing
   double travel_nearest_mm = 0;  ///< going to the nearest next one
   std::vector<drawing::Finding> findings;
   std::vector<std::string> assumed;

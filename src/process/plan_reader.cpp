@@ -13,6 +13,7 @@ namespace {
 using motion::Motion;
 
 constexpr double kHere_mm = 1e-9;
+constexpr double kSpeck_mm = 1e-6;  // no control makes an arc of it
 
 /// Any operation that names a height, or changes it from pass to pass.
 bool names_z(const Plan& plan) {
@@ -237,6 +238,9 @@ void PlanReader::leg_to(const Leg& leg) {
   beam(leg.power);
   const Vec2 to = copy(leg.to);
   if (wrapping_) return cut_wrapped(to, leg.bulge);
+  const bool is_speck = x && y && std::abs(leg.bulge) <= 1 &&
+                        geometry::length(to - Vec2{at_[*x], at_[*y]}) < kSpeck_mm;
+  if (is_speck) return;  // the next leg begins here
   if (leg.bulge == 0 || !x || !y) return line_to(to);
   const contour::Edge arc{{at_[*x], at_[*y]}, to, leg.bulge};
   const Vec2 middle = centre(arc);

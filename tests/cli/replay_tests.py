@@ -4,7 +4,7 @@ import json
 import os
 
 from harness import check, contains, equal, near, refused, status, test
-from pattern_files import AXES, CIRCLE, STEP, WORKED, decoded, forward, listed_as
+from pattern_files import AXES, CIRCLE, LISTING, STEP, WORKED, decoded, forward, listed_as
 from pulse_tests import csv_pulses, counts
 from set_point_tests import rows_of
 
@@ -337,3 +337,9 @@ def replayed_listing(box):
     status(result, 1)
     contains(result.err, "a.txt:2:3:", "the place")
     equal((box.json("s.json")["alarm"]["code"], box.json("s.json")["alarm"]["line"]), ("PATTERN_TEXT", 2), "alarm")
+    box.write("listed.pat", LISTING)
+    status(box.kerf("check", "listed.pat"), 0)
+    box.write("listed.pat", LISTING + "L 1 2 3 4\n")
+    result = box.kerf("check", "listed.pat")
+    status(result, 1)
+    contains(result.text, "listed.pat:5:1: error: PATTERN_TEXT", "the finding of kerf check")

@@ -27,6 +27,7 @@ import design_tests  # noqa: F401
 import diagnostic_tests  # noqa: F401
 import endless_tests  # noqa: F401
 import engraving_tests  # noqa: F401
+import draw_tests  # noqa: F401
 import edit_case_tests  # noqa: F401
 import edit_tests  # noqa: F401
 import feature_tests  # noqa: F401

@@ -153,7 +153,7 @@ def help_of_kerf(box):
     status(result, 0)
     equal(result.err, "", "standard error")
     commands = re.findall(r"^  ([a-z]+) {3,}", result.text, re.MULTILINE)
-    equal(sorted(commands), ["check", "edit", "features", "machines", "notices", "pattern", "replay", "run", "serve", "stock",
+    equal(sorted(commands), ["check", "draw", "edit", "features", "machines", "materials", "notices", "pattern", "replay", "run", "serve", "stock",
                                "time", "tools"], "commands in the help")
 
 
@@ -299,7 +299,7 @@ def unknown_machine_twice(box):
 @last_test("every option that the help names was used by a test")
 def options_are_tested(box, commands):
     missing = {}
-    for command in ("run", "stock", "edit", "check", "tools", "machines", "decode", "encode", "replay"):
+    for command in ("run", "stock", "edit", "check", "draw", "tools", "machines", "decode", "encode", "replay"):
         room = ["pattern"] if command in ("decode", "encode", "replay") else []
         named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", box.kerf(*room, command, "--help").text))
         used = {word.split("=")[0] for words in commands

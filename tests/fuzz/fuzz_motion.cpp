@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
@@ -57,6 +58,7 @@ std::string made_of(const std::string& text, std::uint8_t choice, bool& went_wel
   require(written.has_value());
   std::string bytes((*written)->size(), '\0');
   bytes.resize((*written)->read(0, bytes));
+  std::remove(kWritten);
   return bytes;
 }
 

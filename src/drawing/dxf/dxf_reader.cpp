@@ -74,6 +74,8 @@ void Sections::begin_section(const Record& record) {
     choose_words(header_, sheet_);
   }
   if (section_ == "ENTITIES") begin_drawing();
+  if (section_ == "BLOCKS" && run_)
+    canvas().ignore("BLOCKS", record.line(), "a second time, or behind what inserts them");
 }
 
 void Sections::take_of_blocks(const Record& record) {
@@ -84,7 +86,7 @@ void Sections::take_of_blocks(const Record& record) {
 void Sections::take_of_section(const Record& record) {
   if (section_ == "ENTITIES") return run_->take(record);
   if (record.fault().line > 0 && has_use(record)) return tell_fault(record);
-  if (section_ == "BLOCKS") return take_of_blocks(record);
+  if (section_ == "BLOCKS" && !run_) return take_of_blocks(record);
   if (section_ == "TABLES" && record.kind() == "LAYER") sheet_.layers.define(record);
 }
 

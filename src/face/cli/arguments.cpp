@@ -304,6 +304,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   DrawOptions draw_options;
   PatternOptions pattern_options;
   MachinesOptions machines_options;
+  MaterialsOptions materials_options;
   ServeOptions serve_options;
   ReplayOptions replay_options;
   ToolsOptions tools_options;
@@ -321,6 +322,10 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   app.add_subcommand("machines", "lists the built-in machines, or prints the file of one")
       ->group("Commands")
       ->add_option("name", machines_options.name, "the machine whose file is printed")
+      ->type_name("NAME");
+  app.add_subcommand("materials", "lists the built-in materials, or prints the file of one")
+      ->group("Commands")
+      ->add_option("name", materials_options.name, "the material whose file is printed")
       ->type_name("NAME");
   app.add_subcommand("notices", "prints the licences of what others wrote and is part of Kerf")
       ->group("Commands");
@@ -356,6 +361,7 @@ base::Outcome<Request> parse_arguments(const std::vector<std::string>& words) {
   if (app.got_subcommand("serve")) return serve_options;
   if (app.got_subcommand("replay")) return replay_options;
   if (app.got_subcommand("tools")) return tools_options;
+  if (app.got_subcommand("materials")) return materials_options;
   if (app.got_subcommand("notices")) return Answer{std::string(base::notices().front().text)};
   return machines_options;
 }

@@ -3,8 +3,8 @@
 #include <chrono>
 
 #include "base/decimal.hpp"
-#include "drive/pattern/reader.hpp"
 #include "engraver/pattern_replay.hpp"
+#include "face/cli/internal/pattern_play.hpp"
 #include "face/cli/pattern_files.hpp"
 
 namespace kerf::cli {
@@ -12,10 +12,9 @@ namespace {
 
 using base::Diagnostic;
 
-Diagnostic warning_at(base::Code code, std::uint64_t offset, const std::string& detail) {
+Diagnostic warning_of(base::Code code, const std::string& detail) {
   Diagnostic warning = base::make_error(code, {.file = kPatternFile}, detail);
   warning.severity = base::Severity::warning;
-  warning.offset = offset;
   return warning;
 }
 
@@ -24,43 +23,53 @@ class Trial {
  public:
   Trial(const CheckOptions& options, const base::SourceSet& sources,
         const machine::PatternMachine& machine, FileReport& report)
-      : options_(options), sources_(sources), replay_(machine), report_(report) {}
+      : options_(options),
+        sources_(sources),
+        file_(sources, machine.definition(),
+              format_of({}, machine.definition().pattern.byte_order)),
+        replay_(machine),
+        report_(report) {}
 
-  void run(drive::PatternReader& reader) {
-    for (;;) {
-      auto record = reader.next();
-      if (!record) return report_.add(record.error(), sources_);
-      if (!*record) return;
-      if (is_spent()) return tell_spent(reader.offset());
-      auto made = replay_.take(**record);
-      if (made) continue;
-      made.error().place.file = kPatternFile;
-      made.error().offset = reader.offset();
-      return report_.add(made.error(), sources_);
-    }
+  void run() {
+    if (auto made = file_.run(*this); !made) report_.add(made.error(), sources_);
+    tell_travel();
   }
-  void tell_travel() {
-    for (const auto& [sentence, record] : replay_.beyond_travel())
-      report_.add(warning_at(base::Code::joint_limit, (record - 1) * drive::kRecordBytes,
-                             "record " + std::to_string(record) + ": " + sentence),
-                  sources_);
+
+  // For PatternPlay.
+  [[nodiscard]] bool spent() {
+    if (report_.budget_spent) return true;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
+    const bool late = options_.max_seconds > 0 && elapsed.count() > options_.max_seconds;
+    if (!late &&
+        !(options_.max_motions > 0 && replay_.statistics().motions() >= options_.max_motions))
+      return false;
+    report_.budget_spent = true;
+    Diagnostic warning =
+        warning_of(base::Code::budget_spent, "what is allowed for a file is used up");
+    file_.stand_here(warning);
+    report_.add(warning, sources_);
+    return true;
+  }
+  template <typename Record>
+  base::Result<void> take(const Record& record) {
+    auto made = replay_.take(record);
+    if (!made) file_.stand_here(made.error());
+    return made;
   }
 
  private:
-  [[nodiscard]] bool is_spent() const {
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin_;
-    return (options_.max_seconds > 0 && elapsed.count() > options_.max_seconds) ||
-           (options_.max_motions > 0 && replay_.statistics().motions() >= options_.max_motions);
-  }
-  void tell_spent(std::uint64_t offset) {
-    report_.budget_spent = true;
-    report_.add(
-        warning_at(base::Code::budget_spent, offset, "what is allowed for a file is used up"),
-        sources_);
+  void tell_travel() {
+    for (const auto& [sentence, record] : replay_.beyond_travel()) {
+      Diagnostic warning =
+          warning_of(base::Code::joint_limit, "record " + std::to_string(record) + ": " + sentence);
+      if (file_.has_bytes()) warning.offset = (record - 1) * drive::kRecordBytes;
+      report_.add(warning, sources_);
+    }
   }
 
   const CheckOptions& options_;
   const base::SourceSet& sources_;
+  PatternPlay file_;
   engraver::PatternReplay replay_;
   FileReport& report_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
@@ -77,11 +86,7 @@ base::Outcome<void> try_pattern(const CheckOptions& options, FileReport& report)
   if (!definition) return tl::unexpected(definition.error());
   const auto machine = machine::PatternMachine::of(*definition);
   if (!machine) return tl::unexpected(machine.error());
-  drive::PatternReader reader(sources[kPatternFile], kPatternFile,
-                              format_of(usual, definition->pattern.byte_order));
-  Trial trial(options, sources, *machine, report);
-  trial.run(reader);
-  trial.tell_travel();
+  Trial(options, sources, *machine, report).run();
   return {};
 }
 

@@ -7,8 +7,9 @@
 
 namespace kerf::cli {
 
-/// What is wrong with a pattern: bytes that are no record, timers that overflow, and joints beyond
-/// their travel. It runs on the machine of the options, or on the one of `kerf pattern replay`.
+/// What is wrong with a pattern: bytes or lines that are no record, timers that overflow, and
+/// joints beyond their travel. It runs on the machine of the options, or on the one of `kerf
+/// pattern replay`.
 [[nodiscard]] FileReport check_pattern(const std::string& path, const CheckOptions& options);
 
 }  // namespace kerf::cli

@@ -234,6 +234,8 @@ struct ToolsOptions {
 [[nodiscard]] ExitStatus replay(const ReplayOptions& options);
 /// Writes tools of any format as TOML on standard output, what is not understood on standard error.
 [[nodiscard]] ExitStatus tools(const ToolsOptions& options);
+/// Lists the built-in materials, or prints the files that have one.
+[[nodiscard]] ExitStatus materials(const std::string& name);
 /// Lists the built-in machines, or prints the file of one.
 [[nodiscard]] ExitStatus machines(const std::string& name);
 

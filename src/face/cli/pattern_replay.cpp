@@ -7,12 +7,11 @@
 
 #include "base/decimal.hpp"
 #include "control/core/memory.hpp"
-#include "drive/pattern/listing_reader.hpp"
-#include "drive/pattern/reader.hpp"
 #include "drive/pattern/writer.hpp"
 #include "engraver/replay_plot.hpp"
 #include "engraver/replay_summary.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/internal/pattern_play.hpp"
 #include "face/cli/internal/post_output.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/pattern_files.hpp"
@@ -48,6 +47,7 @@ class Replay {
         sources_(sources),
         definition_(machine.definition()),
         format_(format_of(options, definition_.pattern.byte_order)),
+        file_(sources, definition_, format_),
         replay_(machine),
         post_(options, files_),
         no_tools_(definition_.parameters.n_offsets) {
@@ -56,6 +56,11 @@ class Replay {
 
   Outcome<void> open();
   ExitStatus run();
+
+  // For PatternPlay.
+  [[nodiscard]] bool spent();
+  base::Result<void> take(const drive::PatternRecord& record);
+  base::Result<void> take(const drive::ListedLinked& linked);
 
  private:
   Outcome<void> open_output();
@@ -68,17 +73,9 @@ class Replay {
   Outcome<void> open_plot();
   Outcome<void> open_summary();
   base::Result<void> play();
-  base::Result<void> play_bytes();
-  base::Result<void> play_listing();
-  [[nodiscard]] bool is_listing() const;
   [[nodiscard]] bool time_is_over() const;
-  [[nodiscard]] bool spent();
   [[nodiscard]] ExitStatus status() const;
-  base::Result<void> take(const drive::PatternRecord& record);
-  base::Result<void> take(const drive::ListedLinked& linked);
-  base::Result<void> take_move(const drive::ListedMove& move);
   base::Result<void> followed(base::Result<void> made) const;
-  void stand_here(base::Diagnostic& diagnostic) const;
   base::Result<void> return_to_start();
   Outcome<void> commit();
   void tell() const;
@@ -87,14 +84,11 @@ class Replay {
   const base::SourceSet& sources_;
   const machine::MachineDefinition& definition_;
   drive::PatternFormat format_;
+  PatternPlay file_;
   engraver::PatternReplay replay_;
   engraver::ReplaySummary summary_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<base::Diagnostic> notice_;  // why a budget ended the replay
-  // Of the record that is made: where it stands in the file, by the byte or, in a listing, the
-  // line.
-  std::optional<std::uint64_t> offset_;
-  base::Place place_{.file = kPatternFile};
   OutputFiles files_;
   PostOutput post_;
   std::unique_ptr<drive::PatternWriter> writer_;
@@ -195,14 +189,9 @@ Outcome<void> Replay::open() {
   return {};
 }
 
-void Replay::stand_here(base::Diagnostic& diagnostic) const {
-  diagnostic.place = place_;
-  diagnostic.offset = offset_;
-}
-
 base::Result<void> Replay::followed(base::Result<void> made) const {
   if (made && laser_alarm_) made = base::unexpected(*laser_alarm_);
-  if (!made) stand_here(made.error());
+  if (!made) file_.stand_here(made.error());
   return made;
 }
 
@@ -215,17 +204,7 @@ base::Result<void> Replay::take(const drive::PatternRecord& record) {
 base::Result<void> Replay::take(const drive::ListedLinked& linked) {
   if (!writer_) return followed(replay_.take(linked));
   return followed(base::unexpected(base::make_error(
-      base::Code::pattern_text, place_, "L has no bytes, and --output writes a pattern")));
-}
-
-// A line of a listing, which may be many records.
-base::Result<void> Replay::take_move(const drive::ListedMove& move) {
-  if (const auto* const linked = std::get_if<drive::ListedLinked>(&move)) return take(*linked);
-  base::Result<void> made;
-  drive::each_record(move, [&](const drive::PatternRecord& record) {
-    if (made && !spent()) made = take(record);
-  });
-  return made;
+      base::Code::pattern_text, {}, "L has no bytes, and --output writes a pattern")));
 }
 
 base::Result<void> Replay::return_to_start() {
@@ -257,45 +236,14 @@ bool Replay::spent() {
       enough ? "the motions allowed are made"
              : base::number_text(options_.max_seconds) + " s of computing are over");
   notice_->severity = base::Severity::warning;
-  stand_here(*notice_);
+  file_.stand_here(*notice_);
   summary_.budget_spent = true;
   return true;
 }
 
-// A listing is told by its beginning; whoever reads lenient axis bits has bytes.
-bool Replay::is_listing() const {
-  std::array<char, 2> head{};
-  const std::size_t size = sources_[kPatternFile].read(0, head);
-  return !options_.lenient && drive::begins_listing({head.data(), size});
-}
-
-base::Result<void> Replay::play_bytes() {
-  drive::PatternReader reader(sources_[kPatternFile], kPatternFile, format_);
-  for (;;) {
-    auto record = reader.next();
-    offset_ = reader.offset();
-    if (!record) return base::unexpected(std::move(record.error()));
-    if (!*record || spent()) return {};
-    if (auto made = take(**record); !made) return made;
-  }
-}
-
-base::Result<void> Replay::play_listing() {
-  const bool linked = definition_.pattern.link == machine::PatternSettings::Link::four;
-  drive::ListingReader reader(sources_[kPatternFile], kPatternFile,
-                              linked ? drive::Links::four : drive::Links::none);
-  for (;;) {
-    auto move = reader.next();
-    place_ = reader.place();
-    if (!move) return base::unexpected(std::move(move.error()));
-    if (!*move || spent()) return {};
-    if (auto made = take_move(**move); !made) return made;
-  }
-}
-
 // Back to the start also from where an alarm has stopped it.
 base::Result<void> Replay::play() {
-  auto made = is_listing() ? play_listing() : play_bytes();
+  auto made = file_.run(*this);
   if (!options_.return_to_start) return made;
   if (notice_) {
     notice_->message += "; it does not return to the start";
@@ -325,7 +273,7 @@ void Replay::tell() const {
         base::make_error(base::Code::joint_limit, {.file = kPatternFile},
                          "record " + std::to_string(record) + ": " + sentence);
     warning.severity = base::Severity::warning;
-    if (offset_) warning.offset = (record - 1) * drive::kRecordBytes;
+    if (file_.has_bytes()) warning.offset = (record - 1) * drive::kRecordBytes;
     report(warning, sources_, options_.diagnostics);
   }
   if (notice_) report(*notice_, sources_, options_.diagnostics);

@@ -21,7 +21,7 @@ namespace {
 using base::Outcome;
 using base::OutputFile;
 
-constexpr auto kRecord = OutputFiles::Kind::record;
+constexpr auto kPartRecord = OutputFiles::Kind::record;
 // Of a solid that can be looked at, and of what a file can count.
 constexpr std::size_t kFewestTriangles = 4;
 constexpr std::size_t kMostTriangles = 1'000'000'000;
@@ -86,7 +86,7 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
        {std::pair{&options_.stl, &stl_}, std::pair{&options_.glb, &glb_},
         std::pair{&options_.three_mf, &three_mf_}}) {
     if (auto opened =
-            files_.open(*path, kRecord, [&place = place](OutputFile& file) { *place = &file; });
+            files_.open(*path, kPartRecord, [&place = place](OutputFile& file) { *place = &file; });
         !opened)
       return opened;
   }
@@ -107,14 +107,14 @@ Outcome<void> StockFiles::open(const job::StockJob& job) {
   if (options_.triangles > 0 && stl_ == nullptr && glb_ == nullptr && three_mf_ == nullptr)
     return base::usage("--triangles: without --stl, --glb or --3mf there are none");
   if (auto opened =
-          files_.open(options_.profile, kRecord, [&](OutputFile& file) { profile_ = &file; });
+          files_.open(options_.profile, kPartRecord, [&](OutputFile& file) { profile_ = &file; });
       !opened)
     return opened;
   constexpr auto kPart = OutputFiles::Kind::drives_a_machine;
   if (auto opened = files_.open(options_.save, kPart, [&](OutputFile& file) { save_ = &file; });
       !opened)
     return opened;
-  return files_.open(options_.picture, kRecord, [&](OutputFile& file) { picture_ = &file; });
+  return files_.open(options_.picture, kPartRecord, [&](OutputFile& file) { picture_ = &file; });
 }
 
 bool StockFiles::needs_ways() const {

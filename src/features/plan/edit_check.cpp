@@ -51,6 +51,26 @@ bool is_same_region(const Region& a, const Region& b) {
          kEmptyArea_mm2;
 }
 
+/// Without corners that are no more than what a rounded word leaves on a line.
+Contour without_kinks(const Contour& contour) {
+  Contour made{{}, contour.is_closed};
+  const std::size_t count = contour.vertices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = (i + count - 1) % count;
+    const contour::Edge whole{contour.vertices[before].point,
+                              contour.vertices[(i + 1) % count].point};
+    const bool is_kink = contour.vertices[before].bulge == 0 && contour.vertices[i].bulge == 0 &&
+                         contour::distance(whole, contour.vertices[i].point) <= kSamePoint_mm;
+    if (!is_kink) made.vertices.push_back(contour.vertices[i]);
+  }
+  return made;
+}
+
+bool is_contour(const Contour& is, const Contour& sought) {
+  return are_equal(is, sought, kSameContour_mm) ||
+         are_equal(without_kinks(is), sought, kSameContour_mm);
+}
+
 // By its contours, or, where these have corners that no disc of the tool comes into, by what is
 // removed.
 bool is_found(const Sought& sought, const Feature& feature, const Layer& layer) {
@@ -58,9 +78,8 @@ bool is_found(const Sought& sought, const Feature& feature, const Layer& layer) 
       feature.setup != sought.setup)
     return false;
   const bool both_empty = layer.nominal.vertices.empty() && sought.outer->vertices.empty();
-  const bool has_contours =
-      (both_empty || are_equal(layer.nominal, *sought.outer, kSameContour_mm)) &&
-      have_same(layer.nominal_islands, *sought.islands);
+  const bool has_contours = (both_empty || is_contour(layer.nominal, *sought.outer)) &&
+                            have_same(layer.nominal_islands, *sought.islands);
   return has_contours || (sought.reached && is_same_region(layer.removed, *sought.reached));
 }
 

@@ -235,8 +235,8 @@ void align(const Recording& recording, Span old, Vec3 begin, std::vector<Planned
     rows[b].was = old.first + static_cast<std::uint32_t>(a);
 }
 
-void align(const Recording& recording, const std::vector<std::uint32_t>& olds, Vec3 begin,
-           std::vector<PlannedRow>& rows) {
+void align_along(const Recording& recording, const std::vector<std::uint32_t>& olds, Vec3 begin,
+                 std::vector<PlannedRow>& rows) {
   Wholes wholes;
   for (const std::uint32_t row : olds)
     wholes.push_back({recording.from(row), as_it_is(recording, row)});

@@ -15,8 +15,9 @@ namespace {
 using contour::Contour;
 using contour::Edge;
 
-constexpr double kOn_mm = 2.5e-3;    // beside an element, as words are rounded
-constexpr double kLeastRunIn = 0.5;  // of the way before an element that must be left of it
+constexpr double kOn_mm = 2.5e-3;     // beside an element, as words are rounded
+constexpr double kLeastRunIn = 0.5;   // of the way before an element that must be left of it
+constexpr double kCorner_rad = 0.01;  // less than that goes on smoothly
 constexpr double kTurn_rad = 2 * std::numbers::pi;
 
 /// A line, or an arc of any angle.
@@ -106,6 +107,7 @@ class Follower {
                    turned_rad(way_at_start(old_first), way_at_start(new_first))};
     made_.end = {chain_.end, new_end(old_last, new_last, chain_.end),
                  turned_rad(way_at_end(old_last), way_at_end(new_last))};
+    run_out(old_first, old_last, new_first, new_last);
     go_along();
     for (const Track& track : tracks_) divide(track);
     if (made_.rows.empty() || !pair(named)) return std::nullopt;
@@ -113,6 +115,19 @@ class Follower {
   }
 
  private:
+  // Where the contour closed smoothly and does so in a corner now, it is left as far beyond that as
+  // it is run into before it: else something stands in the corner.
+  void run_out(const Edge& old_first, const Edge& old_last, const Edge& new_first,
+               const Edge& new_last) {
+    const double run_in = geometry::dot(way_at_start(new_first), new_first.from - made_.begin.is);
+    const auto turns = [](const Edge& a, const Edge& b) {
+      return std::fabs(turned_rad(way_at_end(a), way_at_start(b))) > kCorner_rad;
+    };
+    const bool closes = is_near(new_last.to, new_first.from) && is_near(made_.end.is, new_last.to);
+    if (run_in > kOn_mm && closes && !turns(old_last, old_first) && turns(new_last, new_first))
+      made_.end.is = made_.end.is + run_in * way_at_end(new_last);
+  }
+
   // A circle: every block ends at the angle at which it did.
   [[nodiscard]] FollowedContour round(const Edge& was, const Edge& is) {
     const Vec2 centre = contour::centre(was);
@@ -265,7 +280,7 @@ class Follower {
   // Which blocks stay. What comes in is fed as what comes before it.
   [[nodiscard]] bool pair(NamedEnds named) {
     std::vector<PlannedRow>& rows = made_.rows;
-    align(recording_, rows_, lifted(made_.begin.is), rows);
+    align_along(recording_, rows_, lifted(made_.begin.is), rows);
     if (named.first && !pin(rows.front(), rows_.front())) return false;
     if (named.last && !pin(rows.back(), rows_.back())) return false;
     std::uint32_t like = rows_.front();

@@ -47,7 +47,7 @@ using RowPlan = std::vector<Stretch>;
 void align(const Recording& recording, Span old, Vec3 begin, std::vector<PlannedRow>& rows);
 /// Likewise of some old rows that go along a contour, one behind the other: behind equal motions
 /// those along one element, then any line with any line, any arc with any arc.
-void align(const Recording& recording, const std::vector<std::uint32_t>& olds, Vec3 begin,
-           std::vector<PlannedRow>& rows);
+void align_along(const Recording& recording, const std::vector<std::uint32_t>& olds, Vec3 begin,
+                 std::vector<PlannedRow>& rows);
 
 }  // namespace kerf::features

@@ -229,13 +229,15 @@ std::string plan_json(const DrawFacts& facts) {
         operation_json(plan.operations[i], made_of(facts, plan.operations[i].index)));
   }
   const Made& made = facts.made;
+  // Within scans, up and down, from copy to copy: the same in any order.
+  const double others = made.travel_mm - plan.travel_order_mm;
   return JsonObject()
       .text("machine", plan.machine.name)
       .raw("order", order_json(plan))
       .number("beam_mm", base::tidy(made.beam_mm))
       .number("travel_mm", base::tidy(made.travel_mm))
-      .number("travel_file_mm", base::tidy(plan.travel_file_mm))
-      .number("travel_nearest_mm", base::tidy(plan.travel_nearest_mm))
+      .number("travel_file_mm", base::tidy(others + plan.travel_file_mm))
+      .number("travel_nearest_mm", base::tidy(others + plan.travel_nearest_mm))
       .number("overscan_mm", base::tidy(made.overscan_mm))
       .number("pierces", static_cast<double>(made.pierces))
       .number("beam_s", base::tidy(made.beam_s))

@@ -44,7 +44,8 @@ std::string plan_lines(const DrawFacts& facts) {
         process::word_of(planned.operation.process), of.beam_mm, of.time_s, of.energy_j);
   }
   lines += fmt::format("  time {:.1f} s, beam {:.1f} mm, travel {:.1f} mm (as drawn {:.1f})\n",
-                       made.time_s, made.beam_mm, made.travel_mm, facts.plan->travel_file_mm);
+                       made.time_s, made.beam_mm, made.travel_mm,
+                       made.travel_mm - facts.plan->travel_order_mm + facts.plan->travel_file_mm);
   return lines;
 }
 

@@ -16,6 +16,12 @@ using geometry::Vec2;
 
 constexpr double kDegree = 180 / std::numbers::pi;
 
+/// To what the rounding of a way back from degrees does not reach.
+double rounded(double value) {
+  constexpr double kDigits = 1e7;
+  return base::tidy(std::round(value * kDigits) / kDigits);
+}
+
 double coordinate(const motion::AxisSetup& axes, const base::TipPoint& at, char letter) {
   const auto axis = axes.find(letter);
   return axis ? at[*axis] : 0;
@@ -41,7 +47,7 @@ void BasicProgram::comment(const std::string& text) {
 void BasicProgram::statement(const char* name, const std::vector<double>& values) {
   std::string text = name;
   for (std::size_t i = 0; i < values.size(); ++i)
-    text += (i == 0 ? "(" : ",") + base::number_text(base::tidy(values[i]));
+    text += (i == 0 ? "(" : ",") + base::number_text(rounded(values[i]));
   file_.write(text + (values.empty() ? "\n" : ")\n"));
 }
 

@@ -91,7 +91,10 @@ struct Scale {
 class PartRow {
  public:
   PartRow(const Part& part, const Solid& design, const Scale& scale, RowResult& result)
-      : part_(part), design_(design), scale_(scale), result_(result) {}
+      : part_(part), design_(design), scale_(scale), result_(result) {
+    for (Hint* const hint : {&design_hints_[0], &design_hints_[1], &line_hint_})
+      hint->around_mm = part.around_mm();
+  }
 
   void compare(std::size_t number) {
     part_.row(number, row_);
@@ -99,7 +102,7 @@ class PartRow {
     std::vector<Stretch> there;
     for (const Part::Line& line : row_.lines) {
       there.clear();
-      design_.inside(line.axis, line.b, line.c, there);
+      design_.inside_near(line.axis, line.b, line.c, line_hint_, there);
       const auto here = std::span(row_.stretches).subspan(line.first, line.end - line.first);
       each_difference(here, there, [&](const Difference& one) { add(line, one); });
     }
@@ -169,6 +172,7 @@ class PartRow {
   Part::Row row_;
   std::vector<double> deviations_;  // of the row's points
   std::array<Hint, 2> design_hints_;
+  Hint line_hint_;  // of the design
   Hint part_hint_;
 };
 

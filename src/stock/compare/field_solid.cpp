@@ -248,24 +248,30 @@ void FieldSolid::row(std::size_t number, Row& row) const {
   const int side = field::kTileSide;
   const int first_i = static_cast<int>(number) % grid_.tiles_x() * side;
   const int first_j = static_cast<int>(number) / grid_.tiles_x() * side;
-  const double area = grid_.cell_x() * grid_.cell_y();
-  for (int j = first_j; j < std::min(grid_.ny, first_j + side); ++j) {
-    for (int i = first_i; i < std::min(grid_.nx, first_i + side); ++i) {
-      const double x = grid_.x(i);
-      const double y = grid_.y(j);
-      const auto stretch = static_cast<std::uint32_t>(row.stretches.size());
-      const auto point = static_cast<std::uint32_t>(row.points.size());
-      const double low = grid_.box.low.z + double{columns_.bottom(i, j)};
-      const double high = grid_.box.low.z + double{columns_.height(i, j)};
-      if (columns_.height(i, j) > columns_.bottom(i, j)) {
-        row.points.push_back({{x, y, low}, {0, 0, -1}, area, 0});
-        row.points.push_back({{x, y, high}, {0, 0, 1}, area, columns_.owner(i, j)});
-        row.stretches.push_back({low, high, point, point + 1});
-      }
-      row.lines.push_back(
-          {2, x, y, area, stretch, static_cast<std::uint32_t>(row.stretches.size())});
+  // By blocks, so that what is asked for next is near.
+  for (int block = 0; block < field::kTileBlocks * field::kTileBlocks; ++block) {
+    const int i0 = first_i + block % field::kTileBlocks * field::kBlockSide;
+    const int j0 = first_j + block / field::kTileBlocks * field::kBlockSide;
+    for (int j = j0; j < std::min(grid_.ny, j0 + field::kBlockSide); ++j) {
+      for (int i = i0; i < std::min(grid_.nx, i0 + field::kBlockSide); ++i) add_column(i, j, row);
     }
   }
+}
+
+void FieldSolid::add_column(int i, int j, Row& row) const {
+  const double x = grid_.x(i);
+  const double y = grid_.y(j);
+  const double area = grid_.cell_x() * grid_.cell_y();
+  const auto stretch = static_cast<std::uint32_t>(row.stretches.size());
+  const auto point = static_cast<std::uint32_t>(row.points.size());
+  const double low = grid_.box.low.z + double{columns_.bottom(i, j)};
+  const double high = grid_.box.low.z + double{columns_.height(i, j)};
+  if (columns_.height(i, j) > columns_.bottom(i, j)) {
+    row.points.push_back({{x, y, low}, {0, 0, -1}, area, 0});
+    row.points.push_back({{x, y, high}, {0, 0, 1}, area, columns_.owner(i, j)});
+    row.stretches.push_back({low, high, point, point + 1});
+  }
+  row.lines.push_back({2, x, y, area, stretch, static_cast<std::uint32_t>(row.stretches.size())});
 }
 
 int FieldSolid::column_at(double x) const {

@@ -23,6 +23,7 @@ class FieldSolid final : public Part {
   [[nodiscard]] std::size_t rows() const override { return grid_.tiles(); }
   void row(std::size_t number, Row& row) const override;
   void inside(int axis, double b, double c, std::vector<Stretch>& out) const override;
+  [[nodiscard]] double around_mm() const override { return field::kBlockSide * cell_mm(); }
   [[nodiscard]] double cell_mm() const override;
 
  private:
@@ -60,6 +61,7 @@ class FieldSolid final : public Part {
   [[nodiscard]] bool holds(Vec3 place) const;
   [[nodiscard]] Cell cell_at(Vec3 place) const;
   void add_along(int axis, double b, double c, std::vector<Stretch>& out) const;
+  void add_column(int i, int j, Row& row) const;
   [[nodiscard]] int column_at(double x) const;
   [[nodiscard]] int row_at(double y) const;
 

@@ -13,6 +13,7 @@
 namespace kerf::stock::compare {
 namespace {
 
+using dexel::along_axis;
 using dexel::on_axis;
 
 /// A normal that is nearer to square than this, as a share of what its parts could add up to, says
@@ -24,6 +25,8 @@ constexpr double kNoArea = 1e-12;
 constexpr std::size_t kMostBodies = 200;
 /// From a face to where its sides are.
 constexpr double kBeside_mm = 1e-6;
+/// What is so many times as far as the nearest is looked at for the places around as well.
+constexpr double kFarther = 1.5;
 /// How far a line is moved that goes in more often than out.
 constexpr double kAside_mm = 1e-7;
 
@@ -226,8 +229,18 @@ Near MeshSolid::near(Vec3 place, Hint& hint) const {
   };
   if (hint.thing < mesh_.triangles.size()) look(hint.thing, square);
   if (square == 0) return {0, 0};  // whichever of those that it lies on
-  tree_.search(place, square, look);
+  const bool is_served = hint.start.serves(place, square);
+  if (is_served) {
+    tree_.search(hint.start, place, square, look);
+  } else {
+    tree_.search(place, square, look);
+  }
   hint.thing = nearest.triangle;
+  if (!is_served && hint.around_mm > 0) {
+    const Vec3 aside{hint.around_mm, hint.around_mm, hint.around_mm};
+    tree_.begin({place - aside, place + aside}, kFarther * std::sqrt(square) + hint.around_mm / 4,
+                hint.start);
+  }
   const double distance = std::sqrt(square);
   return {distance == 0 || is_outside(place, nearest) ? distance : -distance, 0};
 }
@@ -245,7 +258,8 @@ bool MeshSolid::holds(Vec3 place) const {
   return votes >= 2;
 }
 
-std::vector<MeshSolid::Crossing> MeshSolid::crossings(int axis, double b, double c) const {
+std::vector<MeshSolid::Crossing> MeshSolid::crossings(int axis, double b, double c,
+                                                      const NearTree::Start* start) const {
   const Plane at{b, c};
   const auto on_b = static_cast<std::size_t>((axis + 1) % 3);
   const auto on_c = static_cast<std::size_t>((axis + 2) % 3);
@@ -277,15 +291,35 @@ std::vector<MeshSolid::Crossing> MeshSolid::crossings(int axis, double b, double
       s += areas[i] / whole * on_axis(corner(triangle, (i + 2) % 3), axis);
     found.push_back({s, lefts == 3 ? -1 : 1});
   };
-  tree_.walk(admits, look);
+  if (start != nullptr) {
+    tree_.walk(*start, admits, look);
+  } else {
+    tree_.walk(admits, look);
+  }
   std::sort(found.begin(), found.end(), [](const Crossing& one, const Crossing& other) {
     return one.at < other.at || (one.at == other.at && one.into > other.into);
   });
   return found;
 }
 
-void MeshSolid::inside(int axis, double b, double c, std::vector<Stretch>& out) const {
-  std::vector<Crossing> found = crossings(axis, b, c);
+// It holds what is beside the line by so much as that may be moved, too.
+const NearTree::Start* MeshSolid::start_for(int axis, double b, double c, Hint& hint) const {
+  const double around = hint.around_mm;
+  if (!(around > 0)) return nullptr;
+  const double s = on_axis(bounds_.low, axis);
+  if (hint.axis != axis || !hint.start.serves(along_axis(axis, s, b, c), 0)) {
+    hint.axis = axis;
+    tree_.begin({along_axis(axis, s, b - around, c - around),
+                 along_axis(axis, on_axis(bounds_.high, axis), b + around, c + around)},
+                4 * kAside_mm, hint.start);
+  }
+  return &hint.start;
+}
+
+void MeshSolid::inside_near(int axis, double b, double c, Hint& hint,
+                            std::vector<Stretch>& out) const {
+  const NearTree::Start* const start = start_for(axis, b, c, hint);
+  std::vector<Crossing> found = crossings(axis, b, c, start);
   const auto is_even = [&] {
     int sum = 0;
     for (const Crossing& one : found) sum += one.into;
@@ -293,7 +327,7 @@ void MeshSolid::inside(int axis, double b, double c, std::vector<Stretch>& out) 
   };
   // Rounding beside a corner may lose a triangle or have one too many.
   for (int i = 1; i <= 3 && !is_even(); ++i)
-    found = crossings(axis, b + i * kAside_mm, c - 0.7 * i * kAside_mm);
+    found = crossings(axis, b + i * kAside_mm, c - 0.7 * i * kAside_mm, start);
   std::vector<std::pair<double, int>> list;
   list.reserve(found.size());
   for (const Crossing& one : found) list.emplace_back(one.at, one.into);

@@ -30,7 +30,12 @@ class MeshSolid final : public Solid {
   /// Corners, and points in the triangles.
   [[nodiscard]] std::size_t rows() const override;
   void points(std::size_t row, double spacing_mm, std::vector<SurfacePoint>& out) const override;
-  void inside(int axis, double b, double c, std::vector<Stretch>& out) const override;
+  void inside(int axis, double b, double c, std::vector<Stretch>& out) const override {
+    Hint nowhere;
+    inside_near(axis, b, c, nowhere, out);
+  }
+  void inside_near(int axis, double b, double c, Hint& hint,
+                   std::vector<Stretch>& out) const override;
 
   /// Whether the solid is there. Of places on the surface either.
   [[nodiscard]] bool holds(Vec3 place) const;
@@ -63,7 +68,10 @@ class MeshSolid final : public Solid {
   [[nodiscard]] Vec3 normal_at_corner(std::uint32_t point) const;
   [[nodiscard]] Vec3 normal_at_edge(std::uint32_t from, std::uint32_t to) const;
   [[nodiscard]] bool is_outside(Vec3 place, const Nearest& nearest) const;
-  [[nodiscard]] std::vector<Crossing> crossings(int axis, double b, double c) const;
+  [[nodiscard]] std::vector<Crossing> crossings(int axis, double b, double c,
+                                                const NearTree::Start* start) const;
+  /// That of a hint, for a line and those around; null: the root.
+  [[nodiscard]] const NearTree::Start* start_for(int axis, double b, double c, Hint& hint) const;
   void add_points(std::size_t row, double spacing_mm, std::vector<SurfacePoint>& out) const;
   void add_points_of(std::uint32_t triangle, double spacing_mm,
                      std::vector<SurfacePoint>& out) const;

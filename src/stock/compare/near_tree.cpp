@@ -71,6 +71,32 @@ NearTree::NearTree(std::size_t count, const std::function<Bounds(std::size_t)>& 
   build(whole(), middles, box_of);
 }
 
+void NearTree::begin(const Bounds& box, double reach_mm, Start& start) const {
+  constexpr double kRounding = 1 + 1e-9;
+  const double square = reach_mm * reach_mm;
+  start.box_ = box;
+  start.count_ = 0;
+  start.square_ = square;
+  std::array<Part, kDeepest> waiting;
+  std::size_t count = order_.empty() ? 0 : 1;
+  waiting[0] = whole();
+  while (count > 0) {
+    const Part part = waiting[--count];
+    if (boxes_[part.node].square_from(box) > square * kRounding) continue;
+    if (!part.is_leaf()) {
+      waiting[count++] = part.second();
+      waiting[count++] = part.first();
+    } else if (start.count_ < Start::kMost) {
+      start.parts_[start.count_++] = part;
+    } else {  // too many
+      start.parts_[0] = whole();
+      start.count_ = 1;
+      start.square_ = std::numeric_limits<double>::infinity();
+      return;
+    }
+  }
+}
+
 void NearTree::build(const Part& part, const Middles& middles,
                      const std::function<Bounds(std::size_t)>& box_of) {
   Box& box = boxes_[part.node];

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,12 +17,22 @@ namespace kerf::stock::compare {
 /// longest side of what the middles of the things take up. Made in n log n; a search costs about
 /// log n and what is nearly as near. The same things make the same tree, whatever the threads.
 class NearTree {
+  struct Part;
+
  public:
   /// Floats, rounded outwards.
   struct Box {
     std::array<float, 3> low;
     std::array<float, 3> high;
 
+    /// From what of a box is nearest.
+    [[nodiscard]] double square_from(const Bounds& other) const {
+      const double x = std::max(double{low[0]} - other.high.x, other.low.x - double{high[0]});
+      const double y = std::max(double{low[1]} - other.high.y, other.low.y - double{high[1]});
+      const double z = std::max(double{low[2]} - other.high.z, other.low.z - double{high[2]});
+      const auto square = [](double out) { return out > 0 ? out * out : 0; };
+      return square(x) + square(y) + square(z);
+    }
     [[nodiscard]] double square_from(Vec3 place) const {
       const double x = outside(place.x, low[0], high[0]);
       const double y = outside(place.y, low[1], high[1]);
@@ -37,6 +49,10 @@ class NearTree {
     }
   };
 
+  /// The leaves that are near a box, of all whose places a search may begin there instead of at the
+  /// root. Nothing depends on it but speed.
+  class Start;
+
   static constexpr std::size_t kLeaf = 4;  ///< things in a leaf
   static constexpr std::size_t kBytesOfThing = sizeof(std::uint32_t) + 2 * sizeof(Box) / kLeaf;
   NearTree() = default;
@@ -46,11 +62,23 @@ class NearTree {
   /// Calls look(thing, square) for things whose boxes are nearer than `square` mm², which look()
   /// may make smaller, the nearer boxes first.
   template <class Look>
-  void search(Vec3 place, double& square, Look&& look) const;
+  void search(Vec3 place, double& square, Look&& look) const {
+    const Part root = whole();
+    search_from({&root, 1}, place, square, look);
+  }
+  /// The same from a start that serves.
+  template <class Look>
+  void search(const Start& start, Vec3 place, double& square, Look&& look) const;
 
   /// Calls look(thing) for things in boxes that admits(box).
   template <class Admits, class Look>
   void walk(Admits&& admits, Look&& look) const;
+  /// The same, of boxes that meet that of a start.
+  template <class Admits, class Look>
+  void walk(const Start& start, Admits&& admits, Look&& look) const;
+
+  /// For places in a box, and what is no farther from it than `reach_mm`.
+  void begin(const Bounds& box, double reach_mm, Start& start) const;
 
   [[nodiscard]] std::size_t bytes() const {
     return order_.size() * sizeof(order_[0]) + boxes_.size() * sizeof(Box);
@@ -81,19 +109,53 @@ class NearTree {
 
   void build(const Part& part, const Middles& middles,
              const std::function<Bounds(std::size_t)>& box_of);
+  template <class Look>
+  void search_from(std::span<const Part> from, Vec3 place, double& square, Look&& look) const;
+  template <class Admits, class Look>
+  void walk_from(const Part& from, Admits&& admits, Look&& look) const;
   [[nodiscard]] Part whole() const { return {0, 0, static_cast<std::uint32_t>(order_.size()), 0}; }
 
   std::vector<std::uint32_t> order_;
   std::vector<Box> boxes_;
 };
 
+class NearTree::Start {
+ public:
+  Start() = default;  ///< serves nowhere
+  /// A place in the box, from which something that is looked for is no farther.
+  [[nodiscard]] bool serves(Vec3 place, double square) const {
+    return square <= square_ && place.x >= box_.low.x && place.x <= box_.high.x &&
+           place.y >= box_.low.y && place.y <= box_.high.y && place.z >= box_.low.z &&
+           place.z <= box_.high.z;
+  }
+
+ private:
+  friend class NearTree;
+  static constexpr std::size_t kMost = 24;  // of more leaves the root is as good
+
+  Bounds box_;
+  double square_ = -1;
+  std::array<Part, kMost> parts_;  // those from count_ on are nothing
+  std::size_t count_ = 0;
+};
+
 template <class Look>
-void NearTree::search(Vec3 place, double& square, Look&& look) const {
+void NearTree::search(const Start& start, Vec3 place, double& square, Look&& look) const {
+  search_from({start.parts_.data(), start.count_}, place, square, look);
+}
+
+template <class Look>
+void NearTree::search_from(std::span<const Part> from, Vec3 place, double& square,
+                           Look&& look) const {
   if (order_.empty()) return;
-  std::array<Part, kDeepest> waiting;
-  std::size_t count = 1;
-  waiting[0] = whole();
-  waiting[0].square = boxes_[0].square_from(place);
+  std::array<Part, kDeepest + Start::kMost> waiting;
+  std::size_t count = 0;
+  for (Part part : from) {
+    part.square = boxes_[part.node].square_from(place);
+    if (part.square > square) continue;
+    waiting[count++] = part;
+    if (count > 1 && waiting[0].square < part.square) std::swap(waiting[0], waiting[count - 1]);
+  }
   while (count > 0) {
     const Part part = waiting[--count];
     if (part.square > square) continue;
@@ -113,10 +175,19 @@ void NearTree::search(Vec3 place, double& square, Look&& look) const {
 
 template <class Admits, class Look>
 void NearTree::walk(Admits&& admits, Look&& look) const {
-  if (order_.empty()) return;
+  if (!order_.empty()) walk_from(whole(), admits, look);
+}
+
+template <class Admits, class Look>
+void NearTree::walk(const Start& start, Admits&& admits, Look&& look) const {
+  for (std::size_t i = 0; i < start.count_; ++i) walk_from(start.parts_[i], admits, look);
+}
+
+template <class Admits, class Look>
+void NearTree::walk_from(const Part& from, Admits&& admits, Look&& look) const {
   std::array<Part, kDeepest> waiting;
   std::size_t count = 1;
-  waiting[0] = whole();
+  waiting[0] = from;
   while (count > 0) {
     const Part part = waiting[--count];
     if (!admits(boxes_[part.node])) continue;

@@ -26,6 +26,8 @@ class Part : public Solid {
 
   /// Replaces what is in `row`.
   virtual void row(std::size_t number, Row& row) const = 0;
+  /// So far from a place of a row the next ones are, or many of them; 0: they are in lines.
+  [[nodiscard]] virtual double around_mm() const { return 0; }
   /// The largest cell.
   [[nodiscard]] virtual double cell_mm() const = 0;
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/interface.hpp"
+#include "stock/compare/near_tree.hpp"
 #include "stock/sweep/way.hpp"
 
 namespace kerf::stock::compare {
@@ -15,10 +16,14 @@ struct Near {
   std::uint32_t motion = 0;                                      ///< that cut it there; 0: none did
 };
 
-/// Where a search may begin: what was nearest to a place not far away. Only speed depends on it.
+/// Where a search may begin, of one solid: what was nearest to a place not far away, and what is
+/// around there. Only speed depends on it.
 struct Hint {
   static constexpr std::uint32_t kNone = 0xffffffff;
   std::uint32_t thing = kNone;
+  double around_mm = 0;  ///< so far from a place the next ones are, or many of them; 0: who knows
+  NearTree::Start start;
+  int axis = -1;  ///< the start is for lines along this one; -1: for places
 };
 
 /// A place of a surface that stands for some of its area.
@@ -55,6 +60,11 @@ class Solid : public base::Interface {
   /// Appends the material along the line through (b, c), in order and apart: `axis` 0, 1, 2 is X,
   /// Y, Z, b the coordinate on the next axis, c on the one after that, as dexel::Inside.
   virtual void inside(int axis, double b, double c, std::vector<Stretch>& out) const = 0;
+  /// The same where neighbours of the line are asked for as well.
+  virtual void inside_near(int axis, double b, double c, Hint& /*hint*/,
+                           std::vector<Stretch>& out) const {
+    inside(axis, b, c, out);
+  }
 };
 
 }  // namespace kerf::stock::compare

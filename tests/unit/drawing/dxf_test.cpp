@@ -149,6 +149,23 @@ TEST(Dxf, nested_rows_and_columns_end_by_the_budget_before_they_are_made) {
   EXPECT_LT(passed.count(), 1);
 }
 
+TEST(Dxf, blocks_behind_entities_are_told_and_not_expanded_by_them) {
+  const std::string blocks = section("BLOCKS", block("A", {"INSERT 2 NONE 70 1000 71 1000"}));
+  const std::string insert = entities({"INSERT 2 A 70 1000 71 1000"});
+  const Drawn drawn = read(kMm + entities({"LINE 11 1"}) + blocks + insert + kEnd);
+  EXPECT_EQ(drawn.codes(), "DXF_BLOCK");
+  EXPECT_EQ(drawn.ignored(), "BLOCKS 1");
+}
+
+TEST(Dxf, what_is_looked_at_and_not_drawn_is_of_the_budget_too) {
+  Reading reading;
+  reading.max_entities = 1000;
+  const std::string blocks = section("BLOCKS", block("A", {"XLINE 10 1"}));
+  const std::string insert =
+      entities({"INSERT 2 A 70 300", "INSERT 2 A 70 600", "INSERT 2 A 70 101"});
+  EXPECT_EQ(read(kMm + blocks + insert + kEnd, reading).codes(), "DRAW_LIMIT");
+}
+
 TEST(Dxf, empty_rows_and_columns_are_nothing) {
   const std::string blocks = block("EMPTY", {}) + block("A", {"INSERT 2 EMPTY 70 30000 71 30000"});
   const Drawn drawn =

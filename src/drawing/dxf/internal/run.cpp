@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "drawing/colour_index.hpp"
 #include "drawing/dxf/internal/kinds.hpp"
@@ -115,8 +116,9 @@ void Run::take(const Record& record) {
   end();
   if (record.kind() == "SEQEND" || !is_usable(record)) return;
   if (record.kind() == "POLYLINE") {
-    polyline_.emplace();
-    polyline_->head = record.compact();
+    Polyline begun;
+    begun.head = record.compact();
+    polyline_ = std::move(begun);
     return;
   }
   draw(record);
@@ -193,7 +195,9 @@ void Run::insert(const Block& block, const Record& record, const Looks& looks) {
   const auto to_mm = out_of_own_plane(record);
   if (!to_mm) return;
   const Grid grid = grid_of(record);
-  if (!sheet_.canvas.has_room_for(grid.rows * grid.columns * block.weight, record.line())) return;
+  const double expected = grid.rows * grid.columns * block.weight;
+  if (!sheet_.canvas.has_room_for(expected + sheet_.undrawn, record.line())) return;
+  const std::size_t before = sheet_.canvas.count();
   const Placement placement = placement_of(block, record);
   Around inside{{}, &looks.layer, looks.colour, around_.depth + 1};
   for (double row = 0; row < grid.rows; ++row) {
@@ -210,6 +214,8 @@ void Run::insert(const Block& block, const Record& record, const Looks& looks) {
       if (sheet_.canvas.is_over()) return;
     }
   }
+  const auto drawn = static_cast<double>(sheet_.canvas.count() - before);
+  if (around_.depth == 0) sheet_.undrawn += std::max(0.0, expected - drawn);
 }
 
 }  // namespace kerf::drawing::dxf

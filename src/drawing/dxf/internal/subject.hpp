@@ -19,6 +19,8 @@ struct Sheet {
   CodePage words;
   LayerTable layers;
   BlockTable blocks;
+  /// What blocks had that was looked at and not drawn: a budget is for this, too.
+  double undrawn = 0;
 };
 
 /// "LWPOLYLINE 3F on layer CUT"

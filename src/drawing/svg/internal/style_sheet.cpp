@@ -8,7 +8,11 @@
 namespace kerf::drawing::svg {
 namespace {
 
+// No drawing program writes more; each element is held against all of them.
 constexpr std::size_t kMostCompounds = 32;
+constexpr std::size_t kMostSelectors = 20'000;
+constexpr std::uint32_t kMostDeclarations = 1000;
+constexpr std::size_t kMostClassBytes = 4096;
 
 std::string without_comments(std::string_view text) {
   std::string result;
@@ -56,6 +60,7 @@ std::optional<Declaration> declaration_of(std::string_view text) {
 
 template <typename Take>
 void each_class(std::string_view classes, Take&& take) {
+  classes = classes.substr(0, kMostClassBytes);
   while (!(classes = trimmed(classes)).empty()) {
     const auto end = std::find_if(classes.begin(), classes.end(), is_blank);
     const auto length = static_cast<std::size_t>(end - classes.begin());
@@ -127,7 +132,8 @@ class StyleSheet::Reader {
     const std::size_t end = end_of(text_, body, "}");
     const auto first = static_cast<std::uint32_t>(sheet_.declarations_.size());
     append_declarations(text_.substr(body, end - body), sheet_.declarations_);
-    const auto count = static_cast<std::uint32_t>(sheet_.declarations_.size()) - first;
+    const auto all = static_cast<std::uint32_t>(sheet_.declarations_.size()) - first;
+    const std::uint32_t count = std::min(all, kMostDeclarations);
     at_ = std::min(end + 1, text_.size());
     if (count > 0) read_selectors(selectors, first, count);
   }
@@ -135,7 +141,8 @@ class StyleSheet::Reader {
   void read_selectors(std::string_view list, std::uint32_t first, std::uint32_t count) {
     for (std::size_t at = 0; at < list.size();) {
       const std::size_t end = end_of(list, at, ",");
-      if (auto selector = selector_of(list.substr(at, end - at))) {
+      auto selector = selector_of(list.substr(at, end - at));
+      if (selector && sheet_.selectors_.size() < kMostSelectors) {
         selector->first = first;
         selector->count = count;
         sheet_.selectors_.push_back(std::move(*selector));

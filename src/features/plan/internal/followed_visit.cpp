@@ -8,7 +8,7 @@
 #include "features/rewrite/regenerate.hpp"
 #include "features/rewrite/tool_fit.hpp"
 #include "features/tree/normal_form.hpp"
-#include "geometry/contour/offset.hpp"
+#include "geometry/contour/sweep.hpp"
 #include "math/math.hpp"
 
 namespace kerf::features {
@@ -159,10 +159,19 @@ bool leaves_what_stays(const Feature& feature) {
 LayerContours with_what_stays(const EditScene& scene, std::size_t feature, LayerContours contours) {
   const Feature& its = scene.tree.features[feature];
   if (!leaves_what_stays(its)) return contours;
-  const contour::Region left =
-      contour::offset(region_between(contours.outer, {}), -scene.recording.diameter_of(its.tool));
+  const double radius = scene.recording.diameter_of(its.tool) / 2;
+  const Clearing clearing{.region = region_between(contours.outer, {}),
+                          .tool_radius = radius,
+                          .has_sharp_corners = true};
   contours.islands.clear();
-  for (const Contour& loop : left.loops) contours.islands.push_back(normal_form(loop));
+  for (Contour way : loops_at(clearing, radius)) {
+    way.is_closed = false;
+    way.vertices.push_back({way.vertices.front().point});
+    for (const Contour& loop : contour::sweep_of_disc(way, radius).loops) {
+      if (!contour::is_counterclockwise(loop) && !is_sliver(loop))
+        contours.islands.push_back(normal_form(loop));
+    }
+  }
   return contours;
 }
 

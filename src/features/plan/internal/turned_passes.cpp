@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "features/path/tolerance.hpp"
 
@@ -10,8 +11,9 @@ namespace {
 
 using contour::Contour;
 
-constexpr double kMostLeft_mm = 5;  // for the finishing cut
-constexpr int kMostNew = 1000;      // passes that come in
+constexpr double kMostLeft_mm = 5;       // between a pass and where it is fed from
+constexpr double kMostForFinish_mm = 1;  // more is left because nobody cuts it before
+constexpr int kMostNew = 1000;           // passes that come in
 
 /// A pass along the axis at a radius, or across it at a place.
 struct Pass {
@@ -40,9 +42,10 @@ class PassMaker {
       return pass.along_z == passes_.front().along_z;
     });
     const double floor = floor_of(now_) - left();
+    const double cuts_in = left() <= kMostForFinish_mm ? floor : floor_of(now_);
     for (const Pass& pass : passes_) {
       Stretch stretch{.rows = pass.visit};
-      const bool goes = is_one_way && is_deeper_ && deep(pass.level) > floor + kSamePoint_mm;
+      const bool goes = is_one_way && is_deeper_ && deep(pass.level) > cuts_in + kSamePoint_mm;
       if (!goes) stretch.becomes = at_level(pass, pass.level);
       made.push_back(std::move(stretch));
     }
@@ -78,12 +81,12 @@ class PassMaker {
   }
   /// What the deepest pass leaves.
   [[nodiscard]] double left() const {
-    double least = kMostLeft_mm;
+    std::optional<double> least;
     for (const Pass& pass : passes_) {
       const double over = floor_of(part_.contour) - deep(pass.level);
-      if (over > -kSamePoint_mm) least = std::min(least, std::max(over, 0.0));
+      if (over > -kSamePoint_mm) least = std::min(least.value_or(over), std::max(over, 0.0));
     }
-    return least < kMostLeft_mm ? least : 0;
+    return least.value_or(0);
   }
   [[nodiscard]] double step() const {
     std::vector<double> steps;

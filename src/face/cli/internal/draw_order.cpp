@@ -1,8 +1,11 @@
-#include "face/cli/draw_order.hpp"
+#include "face/cli/internal/draw_order.hpp"
+
+#include <algorithm>
 
 #include "base/decimal.hpp"
 #include "face/cli/failure.hpp"
 #include "face/cli/setting.hpp"
+#include "process/materials.hpp"
 #include "process/recipe_file.hpp"
 #include "process/settled.hpp"
 
@@ -44,16 +47,25 @@ process::Recipe recipe_without_job(const DrawOptions& options) {
   return recipe;
 }
 
+/// The text of a file of settings, which is among the sources then.
+Outcome<std::string> text_of_file(const std::string& path, base::SourceSet& sources,
+                                  base::FileId& id) {
+  auto file = base::SourceFile::open(path, {.most_bytes = kLargestJob});
+  if (!file) return tl::unexpected(file.error());
+  std::string text(std::min((*file)->size(), kLargestJob), '\0');
+  text.resize((*file)->read(0, text));
+  id = sources.add(std::move(*file));
+  return text;
+}
+
 /// The job, or what is wrong in it.
 RecipeOutcome recipe_of(const DrawOptions& options, base::SourceSet& sources) {
   process::Recipe recipe = recipe_without_job(options);
   if (!options.job.empty()) {
-    auto file = base::SourceFile::open(options.job, {.most_bytes = kLargestJob});
-    if (!file) return tl::unexpected(JobFault{file.error(), {}});
-    std::string text((*file)->size(), '\0');
-    text.resize((*file)->read(0, text));
-    const base::FileId id = sources.add(std::move(*file));
-    auto read = process::read_recipe(text, options.job, id);
+    base::FileId id{};
+    auto text = text_of_file(options.job, sources, id);
+    if (!text) return tl::unexpected(JobFault{text.error(), {}});
+    auto read = process::read_recipe(*text, options.job, id);
     if (!read) return tl::unexpected(JobFault{std::nullopt, read.error()});
     recipe = std::move(*read);
   }
@@ -101,6 +113,19 @@ Outcome<void> take_machine(const DrawOptions& options, Ordered& ordered) {
   return set_machine_keys(options.run.machine_keys, ordered.order.definition);
 }
 
+tl::expected<void, JobFault> take_materials(const DrawOptions& options, base::SourceSet& sources,
+                                            job::DrawOrder& order) {
+  for (const std::string& path : options.material_files) {
+    base::FileId id{};
+    auto text = text_of_file(path, sources, id);
+    if (!text) return tl::unexpected(JobFault{text.error(), {}});
+    auto read = process::read_materials(*text, path, id);
+    if (!read) return tl::unexpected(JobFault{std::nullopt, read.error()});
+    order.materials.insert(order.materials.end(), read->begin(), read->end());
+  }
+  return {};
+}
+
 void take_reading(const DrawOptions& options, job::DrawOrder& order) {
   order.drawings = options.drawings;
   order.reading.unit = options.unit;
@@ -124,6 +149,8 @@ tl::expected<Ordered, JobFault> draw_order_of(const DrawOptions& options,
   take_reading(options, ordered.order);
   if (auto taken = take_machine(options, ordered); !taken)
     return tl::unexpected(JobFault{taken.error(), {}});
+  if (auto taken = take_materials(options, sources, ordered.order); !taken)
+    return tl::unexpected(taken.error());
   if (auto taken = take_variables(options, ordered.order); !taken)
     return tl::unexpected(JobFault{taken.error(), {}});
   return ordered;

@@ -2,8 +2,8 @@
 #include <cstdio>
 
 #include "face/cli/commands.hpp"
-#include "face/cli/draw_order.hpp"
 #include "face/cli/failure.hpp"
+#include "face/cli/internal/draw_order.hpp"
 #include "face/cli/internal/draw_outputs.hpp"
 #include "face/cli/output_files.hpp"
 #include "face/cli/run_report.hpp"

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "base/decimal.hpp"
+#include "drawing/colour_index.hpp"
+
 namespace kerf::process {
 namespace {
 
@@ -22,9 +25,15 @@ bool has_class(std::string_view classes, std::string_view wanted) {
 
 bool Layers::names(const std::string& wanted, const drawing::Entity& entity) const {
   constexpr std::string_view kClass = "class:";
+  constexpr std::string_view kIndex = "aci:";
   const std::string layer(drawing_.names[entity.layer]);
   if (wanted == layer) return true;
   if (wanted.starts_with('#')) return wanted == text_of(entity.colour);
+  if (wanted.starts_with(kIndex)) {
+    const auto index = base::read_number(wanted.substr(kIndex.size()));
+    return index && *index >= 1 && *index <= 255 &&
+           drawing::colour_of_index(static_cast<int>(*index)) == entity.colour;
+  }
   if (wanted.starts_with(kClass))
     return has_class(drawing_.names[entity.classes], wanted.substr(kClass.size()));
   return fnmatch(wanted.c_str(), layer.c_str(), FNM_NOESCAPE) == 0;

@@ -177,6 +177,7 @@ class Planner {
     planned.copy = copy_;
     planned.settled = settle(operation, plan_.machine);
     if (copy_ == 0) tell_assumed(operation, planned.settled);
+    if (copy_ == 0) tell_ignored(operation);
     if (is_impossible(operation)) return;
     const Taken taken = taken_by(index);
     Passes passes = passes_of(operation, planned.settled, taken);
@@ -193,14 +194,33 @@ class Planner {
     plan_.operations.push_back(std::move(planned));
   }
 
+  static bool is_hatch(const Operation& operation) { return operation.process == Process::fill; }
+
+  /// Keys that are read and change nothing are told: nobody shall wait for them.
+  void tell_ignored(const Operation& operation) {
+    const auto tell = [&](bool is_said, const char* key) {
+      if (is_said)
+        plan_.assumed.push_back(
+            fmt::format("operation '{}': {} has no effect yet", operation.name, key));
+    };
+    tell(operation.dashes, "dashes");
+    tell(operation.overlaps == Overlaps::once, "overlaps = \"once\"");
+    tell(operation.trepan, "trepan");
+    tell(!operation.gas.empty(), "gas (air switches it)");
+    tell(operation.min_power_percent && operation.process != Process::raster, "min_power");
+    tell(recipe_.array.is_mixed && recipe_.array.copies() > 1, "array.order = \"travel\"");
+  }
+
   bool is_impossible(const Operation& operation) {
-    const bool needs_beam = operation.process == Process::raster ||
-                            operation.process == Process::weld ||
-                            operation.process == Process::heat;
-    if (!needs_beam || (plan_.machine.has_beam && !plan_.machine.makes_patterns)) return false;
+    const bool goes_along = operation.process == Process::engrave ||
+                            operation.process == Process::mark || operation.process == Process::cut;
+    const bool sets_power = plan_.machine.has_beam && !plan_.machine.makes_patterns;
+    if (goes_along || sets_power || (plan_.machine.makes_patterns && is_hatch(operation)))
+      return false;
     find(base::Severity::error, base::Code::process_machine, {},
-         fmt::format("operation '{}': {} needs a beam whose power can be set, {} has none",
-                     operation.name, word_of(operation.process), plan_.machine.name));
+         fmt::format(
+             "operation '{}': {} needs a beam, {} has none: it engraves and cuts along contours",
+             operation.name, word_of(operation.process), plan_.machine.name));
     return true;
   }
 

@@ -50,6 +50,16 @@ double PlanReader::z_of_round() const {
   return -std::min(depth, (cursor_.round + 1) * *operation.step_down);
 }
 
+/// 5 mm above, where the machine has so much room.
+double PlanReader::safe_z() const {
+  constexpr double kUsual_mm = 5;
+  if (operation().operation.safe_z) return *operation().operation.safe_z;
+  const auto axis = plan_.machine.axes.find('Z');
+  if (!axis) return kUsual_mm;
+  const motion::AxisConfig& z = plan_.machine.axes[*axis];
+  return z.travel_min < z.travel_max ? std::min(kUsual_mm, z.travel_max) : kUsual_mm;
+}
+
 bool PlanReader::next(std::vector<Step>& steps) {
   steps_ = &steps;
   if (has_ended_) return false;
@@ -264,7 +274,7 @@ void PlanReader::make_way(const Way& way) {
   const auto z_axis = plan_.machine.axes.find('Z');
   const double z = z_of_round();
   if (is_mill) {
-    rapid_z(operation().operation.safe_z.value_or(5));
+    rapid_z(safe_z());
     rapid_to(begin);
     if (z_axis) {
       base::TipPoint to = at_;
@@ -287,7 +297,7 @@ void PlanReader::make_way(const Way& way) {
   }
   for (const Leg& leg : way.legs) leg_to(leg);
   beam(0);
-  if (is_mill) rapid_z(operation().operation.safe_z.value_or(5));
+  if (is_mill) rapid_z(safe_z());
 }
 
 void PlanReader::make_spot(const Spot& spot) {

@@ -66,6 +66,7 @@ class PlanReader {
   void emit(const motion::Motion::Action& action);
   void begin_operation();
   [[nodiscard]] double z_of_round() const;
+  [[nodiscard]] double safe_z() const;
   [[nodiscard]] base::TipPoint point(Vec2 at) const;
 
   const Plan& plan_;

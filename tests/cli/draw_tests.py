@@ -178,6 +178,9 @@ def texts(box):
     equal(report["texts"], ["H 007"], "texts")
     layer = [layer for layer in report["layers"] if layer["name"] == "T"][0]
     near(layer["extents"]["Y"], [20, 30], 1e-9, "height of the letters")
+    check("serial.txt" not in box.files(), "a serial was kept without a program")
+    drawn(box, dxf(line(0, 0, 1, 0)), job, "--set", "word=H", "--output", "a.nc")
+    equal(drawn(box, dxf(line(0, 0, 1, 0)), job, "--set", "word=H")["texts"], ["H 010"], "texts of the next run")
     unknown = drawn(box, dxf(line(0, 0, 1, 0)), job, wanted=1)
     contains(" ".join(codes(unknown)), "JOB_TEXT", "a variable without a value")
 
@@ -192,6 +195,8 @@ def materials(box):
     job = '[job]\nmachine = "laser3"\nmaterial = "co2-plywood-3"\n[[operation]]\nname = "a"\nlayers = ["*"]\nprocess = "cut"\n'
     cut = drawn(box, dxf(square(20)), job)["plan"]["operations"][0]
     near([cut["power"], cut["feed"]], [80, 900], 1e-9, "48 W of 60 W")
+    unknown = drawn(box, dxf(square(20)), job.replace("plywood", "marble"), wanted=3)
+    equal([(f["code"], f["file"], f["line"]) for f in unknown["findings"]], [("MATERIAL_UNKNOWN", "job.toml", 3)], "findings")
     own = '[[material]]\nname = "thick"\n[material.cut]\npower_w = 120\nfeed = 1000\n'
     box.write("own.toml", own)
     report = drawn(box, dxf(square(20)), job.replace("co2-plywood-3", "thick"), "--materials", "own.toml")

@@ -99,6 +99,7 @@ Outcome<std::shared_ptr<const DrawnPlan>> DrawnPlan::of(const DrawOrder& order) 
 Outcome<void> DrawnPlan::make() {
   order_.reading.tolerance_mm = order_.recipe.tolerance;
   order_.reading.same_mm = order_.recipe.same;
+  if (!order_.recipe.lens_side.empty()) order_.reading.lens_side = order_.recipe.lens_side[0];
   drawing::Canvas canvas(order_.reading, drawing_);
   const auto read = read_drawings(order_.drawings, order_.max_seconds, sources_, canvas);
   if (!read) return tl::unexpected(read.error());
@@ -122,7 +123,7 @@ Outcome<void> DrawnPlan::make() {
   const process::MachineFacts machine = facts_of(order_.definition);
   const process::Diagnostics filled = process::fill_in(order_.recipe, order_.materials, machine);
   plan_ = process::plan_of(drawing_, sheet_, order_.recipe, machine);
-  for (const base::Diagnostic& told : filled) plan_.findings.push_back({told, {}, {}});
+  job_findings_ = filled;
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include "drawing/nesting.hpp"
 #include "job/drawing/draw_order.hpp"
 #include "process/plan.hpp"
+#include "process/recipe_file.hpp"
 #include "process/sheet.hpp"
 
 namespace kerf::job {
@@ -38,6 +39,8 @@ class DrawnPlan final : public control::MotionMaker {
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
   /// Of the drawing, then of the plan.
   [[nodiscard]] std::vector<drawing::Finding> findings() const;
+  /// What is wrong in the job where it meets materials and machine; places are those of the job file.
+  [[nodiscard]] const process::Diagnostics& job_findings() const { return job_findings_; }
   /// An error was found: nothing may be written.
   [[nodiscard]] bool is_wrong() const;
 
@@ -53,6 +56,7 @@ class DrawnPlan final : public control::MotionMaker {
   process::Sheet sheet_;
   std::vector<std::string> texts_;
   process::Plan plan_;
+  process::Diagnostics job_findings_;
 };
 
 /// What was read and cleaned, before it is placed, by layer.

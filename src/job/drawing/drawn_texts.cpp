@@ -15,7 +15,7 @@ using base::Outcome;
 using drawing::Affine;
 using drawing::Text;
 
-constexpr double kUsualHeight_mm = 10;
+constexpr double kUsualHeight_mm = 5;
 
 void tell_undrawn(drawing::Drawing& drawing, drawing::Canvas& canvas) {
   for (const Text& text : drawing.texts) {

@@ -100,6 +100,13 @@ void MadeMeter::measure_move(const Motion& motion, output::Made& made) {
   at_ = *motion::target_of(motion);
 }
 
+/// As long as it is told to, whatever the period of the interpolator.
+void MadeMeter::burn(const motion::Dwell& dwell, output::Made& made) const {
+  ++made.pierces;
+  made.beam_s += dwell.seconds;
+  made.energy_j += plan_.machine.max_power_w * power_.beam_percent() / 100 * dwell.seconds;
+}
+
 void MadeMeter::take(const Motion& motion) {
   follow_plan();
   ++taken_;
@@ -107,13 +114,14 @@ void MadeMeter::take(const Motion& motion) {
   if (const auto* power = std::get_if<motion::Power>(&motion.action)) power_ = *power;
   const bool is_lit = power_.beam_percent() > 0;
   const bool rests = std::holds_alternative<motion::Dwell>(motion.action);
-  if (rests && is_lit) ++made.pierces;
+  if (rests && is_lit) burn(std::get<motion::Dwell>(motion.action), made);
   const bool moves = motion::target_of(motion) != nullptr;
   if (moves) measure_move(motion, made);
   if (!moves && !rests) return;
   const double watts = plan_.machine.max_power_w * power_.beam_percent() / 100;
   const std::scoped_lock locked(lock_);
-  pending_.push_back({taken_, operation_, power_.follows_speed && !rests ? 0 : watts, is_lit});
+  const bool is_counted = rests || power_.follows_speed;
+  pending_.push_back({taken_, operation_, is_counted ? 0 : watts, is_lit && !rests});
 }
 
 void MadeMeter::motion_ends(std::uint64_t motion, double time_s) {

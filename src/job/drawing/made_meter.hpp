@@ -38,6 +38,7 @@ class MadeMeter final : public motion::MotionSink, public motion::MotionEndSink 
 
   void follow_plan();
   void measure_move(const motion::Motion& motion, output::Made& made);
+  void burn(const motion::Dwell& dwell, output::Made& made) const;
   void reach(const motion::Motion& motion, output::Made& made) const;
 
   const process::Plan& plan_;

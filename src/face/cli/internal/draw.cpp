@@ -8,6 +8,7 @@
 #include "face/cli/output_files.hpp"
 #include "face/cli/run_report.hpp"
 #include "job/drawing/draw_run.hpp"
+#include "job/drawing/drawn_texts.hpp"
 #include "output/drawings/draw_report.hpp"
 #include "output/drawings/draw_summary.hpp"
 
@@ -38,7 +39,8 @@ ExitStatus status_of(const DrawOptions& options, const std::vector<drawing::Find
 void tell_all(const DrawOptions& options, const output::DrawFacts& facts,
               const base::SourceSet& sources) {
   for (const drawing::Finding& finding : facts.findings)
-    tell(finding.diagnostic, sources, options.run.diagnostics);
+    if (sources.contains(finding.diagnostic.place.file) || finding.diagnostic.place.line == 0)
+      tell(finding.diagnostic, sources, options.run.diagnostics);
   if (options.run.diagnostics == DiagnosticFormat::json) return;
   const std::string words = output::draw_summary(facts);
   std::fwrite(words.data(), 1, words.size(), stderr);
@@ -59,6 +61,13 @@ output::DrawFacts facts_of(const Ordered& ordered, const job::DrawnPlan& plan,
                           .assumed = ordered.assumed};
   facts.findings.insert(facts.findings.end(), made.findings.begin(), made.findings.end());
   const std::vector<std::string>& assumed = plan.plan().assumed;
+  // Places in the job are of one file more.
+  const base::FileId job{static_cast<std::uint32_t>(facts.files.size())};
+  if (!plan.job_findings().empty()) facts.files.push_back(ordered.order.recipe.source);
+  for (base::Diagnostic wrong : plan.job_findings()) {
+    wrong.place.file = job;
+    facts.findings.push_back({std::move(wrong), {}, {}});
+  }
   facts.assumed.insert(facts.assumed.end(), assumed.begin(), assumed.end());
   return facts;
 }
@@ -83,11 +92,19 @@ ExitStatus draw(const DrawOptions& options) {
   const machine::Budget budget{options.run.max_seconds, options.run.max_motions};
   const job::DrawResult made = job::make_drawing(ordered->order, *plan, budget, outputs.watchers());
   output::DrawFacts facts = facts_of(*ordered, **plan, made);
-  const ExitStatus status = status_of(options, facts.findings);
+  const bool job_is_wrong = std::any_of(
+      (*plan)->job_findings().begin(), (*plan)->job_findings().end(),
+      [](const base::Diagnostic& wrong) { return wrong.severity == base::Severity::error; });
+  const ExitStatus status = job_is_wrong ? ExitStatus::files : status_of(options, facts.findings);
+  for (const base::Diagnostic& wrong : (*plan)->job_findings())
+    tell(wrong, job_sources, options.run.diagnostics);
   const bool is_whole = !has(facts.findings, base::Severity::error);
   if (auto committed = outputs.commit(facts, is_whole || options.run.keep_partial); !committed)
     return fail(committed.error());
   tell_all(options, facts, (*plan)->sources());
+  if (is_whole && !options.outputs.empty()) {
+    if (auto kept = job::keep_serials(ordered->order); !kept) return fail(kept.error());
+  }
   return status;
 }
 

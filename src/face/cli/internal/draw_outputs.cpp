@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "drawing/contours/contours_writer.hpp"
@@ -46,10 +47,11 @@ class PassComments final : public motion::MotionSink {
   void tell(const process::PassBegins& pass) {
     const drawing::Drawing& drawing = plan_.drawing();
     const drawing::Entity& entity = drawing.entities[pass.entity];
-    say_(
-        fmt::format("{}: {} on {}, line {}", plan_.plan().operations[pass.operation].operation.name,
-                    drawing.names[entity.kind], drawing.names[entity.layer], entity.line),
-        entity.line);
+    std::string text =
+        fmt::format("{}: {} on {}", plan_.plan().operations[pass.operation].operation.name,
+                    drawing.names[entity.kind], drawing.names[entity.layer]);
+    if (entity.line > 0) text += fmt::format(", line {}", entity.line);
+    say_(text, entity.line);
   }
 
   const job::DrawnPlan& plan_;
@@ -96,7 +98,7 @@ Outcome<void> DrawOutputs::open() {
   if (auto opened = open_contours(); !opened) return opened;
   if (auto opened = open_picture(); !opened) return opened;
   return files_.open(options_.report, Kind::record, [&](base::OutputFile&) {
-    files_.when_over([this](base::OutputFile& file) { file.write(report_text_); });
+    files_.when_over([this](base::OutputFile& file) { file.write(report()); });
   });
 }
 
@@ -216,12 +218,22 @@ Outcome<void> DrawOutputs::open_picture() {
   });
 }
 
+/// Behind the programs, whose sizes it tells.
+std::string DrawOutputs::report() const {
+  for (output::DrawTarget& target : facts_->targets) {
+    std::error_code none;
+    const auto bytes = std::filesystem::file_size(target.file, none);
+    if (!none) target.bytes = bytes;
+  }
+  return output::draw_report(*facts_);
+}
+
 Outcome<void> DrawOutputs::commit(output::DrawFacts& facts, bool programs) {
   for (std::size_t i = 0; programs && i < targets_.size(); ++i) {
     targets_over_[i](targets_[i]);
     facts.targets.push_back(targets_[i]);
   }
-  report_text_ = output::draw_report(facts);
+  facts_ = &facts;
   return files_.commit(programs ? OutputFiles::Which::all : OutputFiles::Which::records_only);
 }
 

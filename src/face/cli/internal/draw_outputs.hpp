@@ -40,6 +40,7 @@ class DrawOutputs {
   base::Outcome<void> open_pattern(const std::string& path);
   base::Outcome<void> open_contours();
   base::Outcome<void> open_picture();
+  [[nodiscard]] std::string report() const;
   void add(std::unique_ptr<motion::MotionSink> sink);
   /// Calls `say` where a contour begins, with what text targets tell of it.
   void comment_by(std::function<void(const std::string&, std::uint32_t)> say);
@@ -57,7 +58,7 @@ class DrawOutputs {
   std::unique_ptr<drive::PatternWriter> pattern_;
   std::unique_ptr<engraver::PatternMaker> maker_;
   engraver::PatternReport report_of_pattern_;
-  std::string report_text_;
+  output::DrawFacts* facts_ = nullptr;  // behind the run
 };
 
 }  // namespace kerf::cli

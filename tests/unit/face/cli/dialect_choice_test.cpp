@@ -8,8 +8,8 @@ namespace {
 
 TEST(DialectChoice, HelpNamesTheMachinesOfTextsOnce) {
   EXPECT_EQ(usual_machines(),
-            "mill3, lathe2 for fanuc-lathe, laser3 for laser-basic, laser5 for teach");
-  EXPECT_EQ(dialect_list(), "fanuc-mill, fanuc-lathe, laser-basic, teach");
+            "mill3, lathe2 for fanuc-lathe, laser3 for laser-basic, laser5 for teach, mill3 for motion");
+  EXPECT_EQ(dialect_list(), "fanuc-mill, fanuc-lathe, laser-basic, teach, motion");
 }
 
 }  // namespace

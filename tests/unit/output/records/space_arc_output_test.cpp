@@ -53,7 +53,7 @@ std::string json_of(const SpaceArcCase& arc, const motion::SpaceArc& action) {
 
 TEST(SpaceArcInMotionJson, HasItsCircle) {
   EXPECT_EQ(json_of(kSpaceArcs[0], kSpaceArcs[0].arc(kFeed_mm_min)),
-            "{\"kind\":\"space-arc\",\"program\":\"O0000\",\"line\":0,\"column\":0,"
+            "{\"kind\":\"space-arc\",\"program\":\"O0000\",\"line\":0,"
             "\"to\":{\"X\":-40,\"Y\":0,\"Z\":0,\"A\":30,\"C\":90},"
             "\"via\":{\"X\":0,\"Y\":40,\"Z\":0,\"A\":10,\"C\":45},"
             "\"center\":[0,0,0],\"normal\":[0,0,1],\"sweep_deg\":180,"
@@ -62,7 +62,7 @@ TEST(SpaceArcInMotionJson, HasItsCircle) {
 
 TEST(SpaceArcInMotionJson, OfAFullCircleHasBothPoints) {
   EXPECT_EQ(json_of(kSpaceArcs[3], kSpaceArcs[3].circle(kFeed_mm_min)),
-            "{\"kind\":\"space-arc\",\"program\":\"O0000\",\"line\":0,\"column\":0,"
+            "{\"kind\":\"space-arc\",\"program\":\"O0000\",\"line\":0,"
             "\"to\":{\"X\":0,\"Y\":0,\"Z\":0,\"A\":0,\"C\":0},"
             "\"via\":{\"X\":30,\"Y\":0,\"Z\":40,\"A\":20,\"C\":-10},"
             "\"second_via\":{\"X\":60,\"Y\":0,\"Z\":0,\"A\":5,\"C\":-40},"

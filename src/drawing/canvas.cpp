@@ -26,6 +26,10 @@ Reach reach_of(const std::vector<contour::Vertex>& vertices) {
   return reach;
 }
 
+bool fits(const std::string& name, const std::string& pattern) {
+  return fnmatch(pattern.c_str(), name.c_str(), FNM_NOESCAPE) == 0;
+}
+
 }  // namespace
 
 Canvas::Canvas(const Reading& reading, Drawing& drawing) : reading_(reading), drawing_(drawing) {}
@@ -42,9 +46,7 @@ FileFacts& Canvas::begin_file(base::FileId file, std::string format) {
 bool Canvas::names(std::string_view layer) const {
   const std::string name(layer);
   return std::any_of(reading_.layers.begin(), reading_.layers.end(),
-                     [&](const std::string& wanted) {
-                       return fnmatch(wanted.c_str(), name.c_str(), FNM_NOESCAPE) == 0;
-                     });
+                     [&](const std::string& pattern) { return fits(name, pattern); });
 }
 
 bool Canvas::wants(std::string_view layer) {

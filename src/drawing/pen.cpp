@@ -22,6 +22,10 @@ bool is_one_circle(const contour::Edge& a, const contour::Edge& b) {
          geometry::length(centre(a) - centre(b)) <= kSameCircle_mm;
 }
 
+bool is_near(Vec2 point) {
+  return std::abs(point.u) <= kMostFitted_mm && std::abs(point.v) <= kMostFitted_mm;
+}
+
 }  // namespace
 
 Pen::Pen(Canvas& canvas, EntityId entity, const Affine& to_mm)
@@ -127,9 +131,6 @@ void Pen::polar_to(const Polar& curve) {
 
 /// Of what is too far, or no number, nothing is fitted: the path goes there, and is refused.
 bool Pen::leads_away(std::span<const Vec2> points_mm) {
-  const auto is_near = [](Vec2 point) {
-    return std::abs(point.u) <= kMostFitted_mm && std::abs(point.v) <= kMostFitted_mm;
-  };
   if (std::all_of(points_mm.begin(), points_mm.end(), is_near)) return false;
   for (const Vec2 point : points_mm) go_on(point, 0);
   curves_.all = false;

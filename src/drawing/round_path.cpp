@@ -14,8 +14,8 @@ constexpr double kWhole_rad = 2 * std::numbers::pi;
 std::vector<Edge> edges_round(const std::vector<contour::Vertex>& vertices) {
   std::vector<Edge> edges;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const contour::Vertex& next = vertices[(i + 1) % vertices.size()];
-    edges.push_back({vertices[i].point, next.point, vertices[i].bulge});
+    edges.push_back(
+        {vertices[i].point, vertices[(i + 1) % vertices.size()].point, vertices[i].bulge});
   }
   return edges;
 }

@@ -42,11 +42,14 @@ std::vector<Contour> compensated(const Contour& path, Goes goes, double kerf, Cu
   return std::move(moved.loops);
 }
 
+bool runs_as_hole(Goes goes, std::size_t depth) {
+  return goes == Goes::inside || (goes == Goes::on && depth % 2 == 1);
+}
+
 /// Holes are gone round clockwise.
 Contour directed(Contour path, Goes goes, std::size_t depth) {
   if (!path.is_closed) return path;
-  const bool is_hole = goes == Goes::inside || (goes == Goes::on && depth % 2 == 1);
-  if (is_counterclockwise(path) == is_hole) return reversed(path);
+  if (is_counterclockwise(path) == runs_as_hole(goes, depth)) return reversed(path);
   return path;
 }
 
@@ -120,13 +123,16 @@ class Cutting {
     }
   }
 
+  void put_first(const std::vector<std::uint32_t>& inner, const std::vector<std::uint32_t>& outer) {
+    for (const std::uint32_t pass : outer) {
+      std::vector<std::uint32_t>& before = made_.passes[pass].before;
+      before.insert(before.end(), inner.begin(), inner.end());
+    }
+  }
+
   void put_inner_first() {
     for (std::size_t i = 0; i < nests_.size(); ++i) {
-      if (!nests_[i].parent) continue;
-      for (const std::uint32_t outer : of_outline_[*nests_[i].parent]) {
-        std::vector<std::uint32_t>& before = made_.passes[outer].before;
-        before.insert(before.end(), of_outline_[i].begin(), of_outline_[i].end());
-      }
+      if (nests_[i].parent) put_first(of_outline_[i], of_outline_[*nests_[i].parent]);
     }
   }
 

@@ -232,9 +232,8 @@ void say(const JobKey& key, const KeyOwner& owner, const KeyValue& value) {
 std::span<const JobKey> job_keys() { return kKeys; }
 
 const JobKey* find_key(KeyTable table, std::string_view name) {
-  const auto found = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const JobKey& key) {
-    return key.table == table && key.name == name;
-  });
+  const auto is_it = [&](const JobKey& key) { return key.table == table && key.name == name; };
+  const auto found = std::find_if(std::begin(kKeys), std::end(kKeys), is_it);
   return found == std::end(kKeys) ? nullptr : found;
 }
 

@@ -91,6 +91,10 @@ std::vector<Material> read_builtin() {
   return all;
 }
 
+bool is_engraving(Process process) {
+  return process == Process::mark || process == Process::fill || process == Process::raster;
+}
+
 }  // namespace
 
 const std::vector<Material>& builtin_materials() {
@@ -128,9 +132,7 @@ tl::expected<const Material*, base::Diagnostic> find_material(std::string_view n
 
 const Preset* preset_of(const Material& material, Process process) {
   const Preset* const own = find_preset(material, process);
-  const bool is_engraving =
-      process == Process::mark || process == Process::fill || process == Process::raster;
-  return own == nullptr && is_engraving ? find_preset(material, Process::engrave) : own;
+  return own == nullptr && is_engraving(process) ? find_preset(material, Process::engrave) : own;
 }
 
 Diagnostics fill_in(Operation& operation, const Material* material, const MachineFacts& machine) {

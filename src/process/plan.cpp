@@ -16,12 +16,14 @@ namespace {
 
 using drawing::Affine;
 
+Affine copy_in_ring(const Array& array, std::uint32_t number) {
+  const Affine turn = Affine::turned(number * array.angle_deg * std::numbers::pi / 180);
+  return then(then(Affine::moved(-array.centre), turn), Affine::moved(array.centre));
+}
+
 std::vector<Affine> ring_of(const Array& array) {
   std::vector<Affine> copies;
-  for (std::uint32_t i = 0; i < array.count; ++i) {
-    const Affine turn = Affine::turned(i * array.angle_deg * std::numbers::pi / 180);
-    copies.push_back(then(then(Affine::moved(-array.centre), turn), Affine::moved(array.centre)));
-  }
+  for (std::uint32_t i = 0; i < array.count; ++i) copies.push_back(copy_in_ring(array, i));
   return copies;
 }
 
@@ -45,15 +47,18 @@ Entry entry_of(const Scan& scan) {
           last.origin + (last.runs.back().to + scan.run_up) * last.along};
 }
 
+std::vector<Entry> entries_of(const Along& along, const AlongRules& rules) {
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < entry_count(along); ++i) entries.push_back(entry_of(along, i, rules));
+  return entries;
+}
+
 /// The ways in which a pass can be made, as the order wants them.
 std::vector<Entry> entries_of(const Pass& pass, const AlongRules& rules) {
   if (const auto* scan = std::get_if<Scan>(&pass.what)) return {entry_of(*scan)};
   if (const auto* picture = std::get_if<Picture>(&pass.what)) return {picture->entry};
   if (const auto* spot = std::get_if<Spot>(&pass.what)) return {{spot->at, spot->at}};
-  const Along& along = std::get<Along>(pass.what);
-  std::vector<Entry> entries;
-  for (std::size_t i = 0; i < entry_count(along); ++i) entries.push_back(entry_of(along, i, rules));
-  return entries;
+  return entries_of(std::get<Along>(pass.what), rules);
 }
 
 Vec2 origin_of(const MachineFacts& machine) {
@@ -115,12 +120,14 @@ class Planner {
     return false;
   }
 
+  void tell_missing_layers(std::size_t operation) {
+    for (const std::string& layer : layers_.missing(operation))
+      find(base::Severity::warning, base::Code::draw_layer, {},
+           fmt::format("'{}' of operation '{}'", layer, recipe_.operations[operation].name));
+  }
+
   void tell_layers() {
-    for (std::size_t i = 0; i < recipe_.operations.size(); ++i) {
-      for (const std::string& layer : layers_.missing(i))
-        find(base::Severity::warning, base::Code::draw_layer, {},
-             fmt::format("'{}' of operation '{}'", layer, recipe_.operations[i].name));
-    }
+    for (std::size_t i = 0; i < recipe_.operations.size(); ++i) tell_missing_layers(i);
     for (const std::string& layer : layers_.unused())
       find(base::Severity::warning, base::Code::draw_layer_unused, {}, "'" + layer + "'");
   }

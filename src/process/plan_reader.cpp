@@ -15,13 +15,14 @@ using motion::Motion;
 constexpr double kHere_mm = 1e-9;
 constexpr double kSpeck_mm = 1e-6;  // no control makes an arc of it
 
+bool has_height(const PlannedOperation& planned) {
+  return planned.operation.z || planned.operation.z_step != 0;
+}
+
 /// Any operation that names a height, or changes it from pass to pass.
 bool names_z(const Plan& plan) {
-  return plan.machine.focus_mm != 0 || std::any_of(plan.operations.begin(), plan.operations.end(),
-                                                   [](const PlannedOperation& planned) {
-                                                     return planned.operation.z ||
-                                                            planned.operation.z_step != 0;
-                                                   });
+  return plan.machine.focus_mm != 0 ||
+         std::any_of(plan.operations.begin(), plan.operations.end(), has_height);
 }
 
 }  // namespace

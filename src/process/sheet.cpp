@@ -21,12 +21,15 @@ Vec2 anchor_of(Anchor anchor, const Box& box) {
   return box.low + Vec2{share.u * size.u, share.v * size.v};
 }
 
+double scale_to_fit(const std::array<double, 2>& fit, Vec2 size) {
+  const double across = size.u > 0 ? fit[0] / size.u : HUGE_VAL;
+  const double up = size.v > 0 ? fit[1] / size.v : HUGE_VAL;
+  return std::isfinite(std::min(across, up)) ? std::min(across, up) : 1;
+}
+
 Affine scaled(const PlaceWords& place, const Box& extents) {
   if (!place.fit) return Affine::scaled(place.scale[0], place.scale[1]);
-  const Vec2 size = extents.high - extents.low;
-  const double across = size.u > 0 ? (*place.fit)[0] / size.u : HUGE_VAL;
-  const double up = size.v > 0 ? (*place.fit)[1] / size.v : HUGE_VAL;
-  const double scale = std::isfinite(std::min(across, up)) ? std::min(across, up) : 1;
+  const double scale = scale_to_fit(*place.fit, extents.high - extents.low);
   return Affine::scaled(scale, scale);
 }
 

@@ -39,11 +39,14 @@ class Course {
   double before_ = 0;
 };
 
+double zigzag(double phase) {
+  return phase < 0.25 ? 4 * phase : phase < 0.75 ? 2 - 4 * phase : 4 * phase - 4;
+}
+
 /// Along and across, mm, at a phase from 0 to 1 of a turn.
 Vec2 swing(const Weave& weave, double phase) {
   const double half = 0.5 * weave.width_mm;
-  if (weave.shape == Weave::Shape::zigzag)
-    return {0, half * (phase < 0.25 ? 4 * phase : phase < 0.75 ? 2 - 4 * phase : 4 * phase - 4)};
+  if (weave.shape == Weave::Shape::zigzag) return {0, half * zigzag(phase)};
   const auto [sine, cosine] = math::sine_cosine(2 * std::numbers::pi * phase);
   if (weave.shape == Weave::Shape::sine) return {0, half * sine};
   return {half * (1 - cosine), half * sine};

@@ -18,16 +18,26 @@ using vm::Verdict;
 
 constexpr double kNoRadius_mm = 1e-9;
 
+double place_on(char letter, const motion::AxisSetup& axes, const base::TipPoint& tip) {
+  const auto axis = axes.find(letter);
+  return axis ? tip[*axis] : 0.0;
+}
+
 geometry::Vec3 place_in(const motion::AxisSetup& axes, const base::TipPoint& tip) {
-  const auto at = [&](char letter) {
-    const auto axis = axes.find(letter);
-    return axis ? tip[*axis] : 0.0;
-  };
-  return {at('X'), at('Y'), at('Z')};
+  return {place_on('X', axes, tip), place_on('Y', axes, tip), place_on('Z', axes, tip)};
 }
 
 Code code_of(geometry::NoArc why) {
   return why == geometry::NoArc::coincident ? Code::arc_coincident : Code::arc_collinear;
+}
+
+bool is_straight(const motion::Motion& motion) {
+  return std::holds_alternative<motion::Rapid>(motion.action) ||
+         std::holds_alternative<motion::Line>(motion.action);
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -65,9 +75,7 @@ void RecordsControl::put_on(const motion::ToolLength& length) {
 }
 
 void RecordsControl::tell(const std::string& unknown) {
-  if (unknown.empty() || unknown_.size() >= kMostUnknown ||
-      std::find(unknown_.begin(), unknown_.end(), unknown) != unknown_.end())
-    return;
+  if (unknown.empty() || unknown_.size() >= kMostUnknown || has(unknown_, unknown)) return;
   unknown_.push_back(unknown);
   assumptions_.add(place().line, "member " + unknown + " means nothing in a motion record");
 }
@@ -129,9 +137,7 @@ bool RecordsControl::is_made(const records::RecordBlock& record) {
 
 bool RecordsControl::goes_nowhere(const motion::Motion& motion) const {
   const base::TipPoint* const to = motion::target_of(motion);
-  const bool is_straight = std::holds_alternative<motion::Rapid>(motion.action) ||
-                           std::holds_alternative<motion::Line>(motion.action);
-  return is_straight && *to == tip_;
+  return is_straight(motion) && *to == tip_;
 }
 
 // Its block is a place of this file, in which the line is that of the program it comes from.

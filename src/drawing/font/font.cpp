@@ -3,19 +3,14 @@
 #include "base/source_file.hpp"
 #include "drawing/font/internal/hershey.hpp"
 #include "drawing/font/internal/outline_font.hpp"
+#include "drawing/small_letters.hpp"
 
 namespace kerf::drawing {
 namespace {
 
 constexpr std::uint64_t kMostFontBytes = 64U << 20U;
 
-bool ends_with_jhf(const std::string& name) {
-  if (name.size() < 4) return false;
-  std::string ending = name.substr(name.size() - 4);
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return ending == ".jhf";
-}
+bool ends_with_jhf(const std::string& name) { return in_small_letters(name).ends_with(".jhf"); }
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "drawing/dxf/dxf_reader.hpp"
 #include "drawing/image/picture.hpp"
 #include "drawing/image/read_image.hpp"
+#include "drawing/small_letters.hpp"
 #include "drawing/svg/read_svg.hpp"
 #include "drawing/trace/lens_shape.hpp"
 #include "drawing/trace/trace_reader.hpp"
@@ -31,19 +32,24 @@ std::string_view without_blanks(std::string_view text) {
   return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
+bool begins_with_group(std::string_view text) {
+  return text.starts_with("0\n") || text.starts_with("0\r") || text.starts_with("999\n") ||
+         text.starts_with("999\r");
+}
+
 bool begins_as_dxf(std::string_view head) {
   if (head.starts_with("AutoCAD Binary DXF") || head.starts_with("AC10")) return true;
-  const std::string_view text = without_blanks(head);
-  const bool has_group = text.starts_with("0\n") || text.starts_with("0\r") ||
-                         text.starts_with("999\n") || text.starts_with("999\r");
-  return has_group && head.find("SECTION") != std::string_view::npos;
+  return begins_with_group(without_blanks(head)) && head.find("SECTION") != std::string_view::npos;
+}
+
+bool begins_as_xml(std::string_view text) {
+  return text.starts_with("<?xml") || text.starts_with("<!DOCTYPE") || text.starts_with("<!--");
 }
 
 bool begins_as_svg(std::string_view head) {
   const std::string_view text = without_blanks(head);
-  const bool is_xml =
-      text.starts_with("<?xml") || text.starts_with("<!DOCTYPE") || text.starts_with("<!--");
-  return text.starts_with("<svg") || (is_xml && head.find("svg") != std::string_view::npos);
+  return text.starts_with("<svg") ||
+         (begins_as_xml(text) && head.find("svg") != std::string_view::npos);
 }
 
 bool begins_as_trace(std::string_view head) {
@@ -71,20 +77,13 @@ const std::array kFormats = {
     Format{{".json", "", ""}, begins_as_contours, drawing::read_contours},
 };
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return text;
-}
-
 const Format* format_of(const base::SourceFile& file) {
   constexpr std::size_t kLook = 1024;
   std::string head(kLook, '\0');
   head.resize(file.read(0, head));
   for (const Format& format : kFormats)
     if (format.begins_so(head)) return &format;
-  const std::string name = lower(file.name());
+  const std::string name = drawing::in_small_letters(file.name());
   for (const Format& format : kFormats) {
     for (const std::string_view ending : format.endings)
       if (!ending.empty() && name.ends_with(ending)) return &format;

@@ -24,10 +24,9 @@ std::optional<Vec2> size_of(const process::ImageWords& words, const drawing::Pic
 }
 
 bool is_file(const drawing::Drawing& drawing, base::FileId file) {
-  return std::any_of(drawing.files.begin(), drawing.files.end(),
-                     [&](const drawing::FileFacts& facts) {
-                       return facts.file == file && facts.format == "image";
-                     });
+  return std::any_of(drawing.files.begin(), drawing.files.end(), [&](const auto& facts) {
+    return facts.file == file && facts.format == "image";
+  });
 }
 
 }  // namespace

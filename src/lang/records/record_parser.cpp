@@ -19,12 +19,15 @@ constexpr std::array<std::string_view, 15> kKinds = {
     "rapid", "line",  "arc",    "space-arc", "dwell", "tool",    "spindle", "coolant",
     "power", "probe", "thread", "mcode",     "stop",  "message", "end"};
 
-Feed feed_of(Members& members) {
-  const double value = members.number("feed", kLeastFeed, kMostNumber);
+FeedMode feed_mode_of(Members& members) {
   constexpr std::array kModes = {FeedMode::per_minute, FeedMode::per_revolution,
                                  FeedMode::inverse_time};
-  return {value,
-          kModes[members.one_of("feed_mode", {"per-minute", "per-revolution", "inverse-time"})]};
+  return kModes[members.one_of("feed_mode", {"per-minute", "per-revolution", "inverse-time"})];
+}
+
+Feed feed_of(Members& members) {
+  const double value = members.number("feed", kLeastFeed, kMostNumber);
+  return {value, feed_mode_of(members)};
 }
 
 Direction direction_of(Members& members) {

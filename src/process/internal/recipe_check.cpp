@@ -17,6 +17,7 @@ class RecipeCheck {
 
   Diagnostics made() {
     check_place();
+    check_image_size();
     check_array();
     check_texts();
     check_wrap();
@@ -39,6 +40,9 @@ class RecipeCheck {
     const bool is_scaled = recipe_.place.scale != std::array{1.0, 1.0};
     require(!recipe_.place.fit || !is_scaled, "place.fit",
             "[place] has scale or fit: fit says how large it becomes");
+  }
+
+  void check_image_size() {
     const ImageWords& image = recipe_.image;
     require(!image.dpi || (!image.width && !image.height), "image.dpi",
             "[image] has width and height, or dpi");

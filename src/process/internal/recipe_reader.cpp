@@ -30,9 +30,10 @@ std::vector<std::string_view> names_in(KeyTable table, Process process) {
   return names;
 }
 
+const Takes& process_words() { return find_key(KeyTable::operation, "process")->takes; }
+
 std::optional<Process> process_named(std::string_view name) {
-  const std::vector<std::string_view> names =
-      words_of(find_key(KeyTable::operation, "process")->takes);
+  const std::vector<std::string_view> names = words_of(process_words());
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
   return static_cast<Process>(found - names.begin());
@@ -41,9 +42,7 @@ std::optional<Process> process_named(std::string_view name) {
 /// Of an operation its process is needed before its other keys.
 Process process_in(const toml::node& node) {
   const toml::node* const said = node.is_table() ? node.as_table()->get("process") : nullptr;
-  const auto value = said == nullptr
-                         ? std::nullopt
-                         : value_of(find_key(KeyTable::operation, "process")->takes, *said);
+  const auto value = said == nullptr ? std::nullopt : value_of(process_words(), *said);
   return value ? static_cast<Process>(value->number) : Process::engrave;
 }
 

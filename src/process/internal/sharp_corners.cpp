@@ -17,10 +17,9 @@ constexpr double kSame_mm = 1e-7;
 bool is_about_corner(const Edge& edge, const Contour& path, double half_kerf) {
   if (edge.bulge == 0 || std::abs(radius(edge) - half_kerf) > kSame_mm) return false;
   const Vec2 middle = centre(edge);
-  return std::any_of(path.vertices.begin(), path.vertices.end(),
-                     [&](const contour::Vertex& vertex) {
-                       return geometry::length(vertex.point - middle) <= kSame_mm;
-                     });
+  return std::any_of(path.vertices.begin(), path.vertices.end(), [&](const auto& vertex) {
+    return geometry::length(vertex.point - middle) <= kSame_mm;
+  });
 }
 
 }  // namespace

@@ -134,6 +134,10 @@ class Taker : public nlohmann::json_sax<nlohmann::json> {
   [[nodiscard]] bool is_member(In of, std::string_view name) const {
     return is_in(of) && key_ == name;
   }
+  void leave() {
+    in_.pop_back();
+    key_.clear();
+  }
   bool finish_point();
   bool finish_contour();
   ContoursFile::Layer& layer() { return file_.layers.back(); }
@@ -211,8 +215,7 @@ bool Taker::start_object(std::size_t /*members*/) {
 
 bool Taker::end_object() {
   const bool is_contour = is_in(In::contour);
-  in_.pop_back();
-  key_.clear();
+  leave();
   return !is_contour || finish_contour();
 }
 
@@ -236,8 +239,7 @@ bool Taker::start_array(std::size_t /*items*/) {
 
 bool Taker::end_array() {
   const bool is_point = is_in(In::point);
-  in_.pop_back();
-  key_.clear();
+  leave();
   return !is_point || finish_point();
 }
 

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "drawing/small_letters.hpp"
+
 namespace kerf::drawing::dxf {
 namespace {
 
@@ -16,16 +18,9 @@ bool is_plain(std::string_view text) {
                      [](char c) { return static_cast<unsigned char>(c) < 0x80; });
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
-
 // "ansi_1252" and "dos437" are CP1252 and CP437.
 std::string charset_of(std::string_view name) {
-  const std::string key = lower(name);
+  const std::string key = in_small_letters(name);
   if (key == "ansi_1361" || key == "johab") return "JOHAB";
   for (const std::string_view prefix : {"ansi_", "dos", "windows-", "cp"})
     if (key.starts_with(prefix)) return "CP" + key.substr(prefix.size());
@@ -73,11 +68,14 @@ std::optional<char32_t> hexadecimal(std::string_view digits) {
   return value;
 }
 
+bool names_character(std::string_view text) {
+  return text.starts_with("\\U+") || text.starts_with("\\u+");
+}
+
 /// The number behind "\U+" at the beginning of `text`.
 std::optional<char32_t> named_character(std::string_view text) {
   constexpr std::size_t kLength = 7;
-  if (text.size() < kLength || !(text.starts_with("\\U+") || text.starts_with("\\u+")))
-    return std::nullopt;
+  if (text.size() < kLength || !names_character(text)) return std::nullopt;
   return hexadecimal(text.substr(3, 4));
 }
 

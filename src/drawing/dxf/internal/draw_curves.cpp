@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -24,11 +25,14 @@ Ellipse circle_of(const Record& record) {
 
 Pen pen_of(Subject& subject) { return {subject.canvas(), subject.entity(), subject.to_mm()}; }
 
+bool is_off(const Record& record, int code, double height) {
+  return record.has(code) && std::abs(record.number(code) - height) > kSameHeight;
+}
+
 bool is_level(const Record& record, std::span<const int> codes) {
   const double first = record.number(codes.front());
-  for (const int code : codes)
-    if (record.has(code) && std::abs(record.number(code) - first) > kSameHeight) return false;
-  return true;
+  return std::none_of(codes.begin(), codes.end(),
+                      [&](int code) { return is_off(record, code, first); });
 }
 
 }  // namespace

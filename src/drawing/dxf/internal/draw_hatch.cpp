@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -47,12 +48,12 @@ std::vector<Groups> parted(std::span<const Group> groups, int code) {
   return parts;
 }
 
+bool ends_paths(const Group& group) { return group.code == 75 || group.code == 98; }
+
 /// What follows the paths is its pattern, and points from which it is filled.
 std::span<const Group> paths_of(const Record& record) {
   const std::span<const Group> groups = record.from(kPaths);
-  std::size_t end = 0;
-  while (end < groups.size() && groups[end].code != 75 && groups[end].code != 98) ++end;
-  return groups.first(end);
+  return {groups.begin(), std::find_if(groups.begin(), groups.end(), ends_paths)};
 }
 
 void draw_outline(const Groups& path, Pen& pen) {

@@ -3,15 +3,11 @@
 #include <cstdlib>
 
 #include "drawing/colour_index.hpp"
+#include "drawing/small_letters.hpp"
 
 namespace kerf::drawing::dxf {
 
-std::string key_of(std::string_view name) {
-  std::string key(name);
-  for (char& c : key)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return key;
-}
+std::string key_of(std::string_view name) { return in_small_letters(name); }
 
 std::optional<Colour> own_colour(const Record& record) {
   constexpr std::uint32_t kRgb = 0xFFFFFF;

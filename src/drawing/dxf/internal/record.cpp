@@ -9,6 +9,7 @@
 #include "base/decimal.hpp"
 #include "drawing/dxf/internal/code_page.hpp"
 #include "drawing/dxf/internal/group_reader.hpp"
+#include "drawing/small_letters.hpp"
 
 namespace kerf::drawing::dxf {
 namespace {
@@ -24,9 +25,7 @@ bool is_text(int code) { return code < 10; }
 bool is_known_as_none(std::string_view text) {
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
   if (text.starts_with("1.#")) return true;  // as one maker's C library prints what is no number
-  if (text.size() < 3) return false;
-  std::string word(text.substr(0, 3));
-  for (char& c : word) c = static_cast<char>(static_cast<unsigned char>(c) | 0x20U);
+  const std::string word = in_small_letters(text.substr(0, 3));
   return word == "nan" || word == "inf";
 }
 

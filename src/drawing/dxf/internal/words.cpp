@@ -4,17 +4,17 @@
 
 #include "base/decimal.hpp"
 #include "drawing/dxf/internal/code_page.hpp"
+#include "drawing/small_letters.hpp"
 
 namespace kerf::drawing::dxf {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-char small(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// Appends what "%%" and the text behind it stand for; returns how many bytes that are, 0: nothing.
 std::size_t take_percent(std::string_view text, std::string& words) {
   if (text.size() < 3 || !text.starts_with("%%")) return 0;
-  const char code = small(text[2]);
+  const char code = small_letter(text[2]);
   if (is_digit(code)) {
     std::size_t end = 3;
     while (end < std::min<std::size_t>(text.size(), 5) && is_digit(text[end])) ++end;

@@ -147,9 +147,7 @@ void put_row(const JpegReader& reader, const std::uint8_t* row, std::uint32_t wi
 base::Outcome<PictureFacts> jpeg_facts(std::string_view bytes) {
   JpegReader reader(bytes);
   if (!reader.open()) return reader.refusal();
-  const PictureFacts facts = reader.facts();
-  if (const auto wrong = objection_to_size(facts.width, facts.height)) return bad_picture(*wrong);
-  return facts;
+  return of_sound_size(reader.facts());
 }
 
 base::Outcome<GreyPicture> read_jpeg(std::string_view bytes) {

@@ -181,9 +181,7 @@ bool read_pass(PngReader& reader, const Pass& pass, GreyPicture& picture,
 base::Outcome<PictureFacts> png_facts(std::string_view bytes) {
   PngReader reader(bytes);
   if (!reader.open()) return reader.refusal();
-  const PictureFacts facts = reader.facts();
-  if (const auto wrong = objection_to_size(facts.width, facts.height)) return bad_picture(*wrong);
-  return facts;
+  return of_sound_size(reader.facts());
 }
 
 base::Outcome<GreyPicture> read_png(std::string_view bytes) {

@@ -15,4 +15,9 @@ namespace kerf::drawing {
   return tl::unexpected(base::Failure{base::Failure::Kind::input, std::move(sentence)});
 }
 
+[[nodiscard]] inline base::Outcome<PictureFacts> of_sound_size(const PictureFacts& facts) {
+  if (const auto wrong = objection_to_size(facts.width, facts.height)) return bad_picture(*wrong);
+  return facts;
+}
+
 }  // namespace kerf::drawing

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "drawing/small_letters.hpp"
 #include "drawing/svg/internal/scanner.hpp"
 
 namespace kerf::drawing::svg {
@@ -171,13 +172,6 @@ Colour of_bytes(double red, double green, double blue) {
   return Colour{byte(red) << 16U | byte(green) << 8U | byte(blue)};
 }
 
-std::string small(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return result;
-}
-
 std::optional<std::uint32_t> nibble(char c) {
   if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0');
   if (c >= 'a' && c <= 'f') return static_cast<std::uint32_t>(c - 'a' + 10);
@@ -244,7 +238,7 @@ std::optional<CssColour> of_function(std::string_view name, std::string_view res
 
 std::optional<CssColour> colour_of(std::string_view written) {
   if (written.size() > 100) return std::nullopt;  // of a name or function
-  const std::string text = small(trimmed(written));
+  const std::string text = in_small_letters(trimmed(written));
   if (text.starts_with('#')) return of_digits(std::string_view(text).substr(1));
   if (text == "transparent") return CssColour{Colour{}, 0};
   if (const std::size_t bracket = text.find('('); bracket != std::string::npos)

@@ -68,9 +68,7 @@ void Drawer::draw() {
 
 void Drawer::tell(base::Severity severity, base::Code code, ElementId id,
                   const std::string& detail) {
-  base::Place place;
-  place.line = tree_[id].line;
-  place.column = tree_[id].column;
+  const base::Place place{base::kNoFile, tree_[id].line, tree_[id].column};
   canvas_.find(severity, code, place, detail, {}, canvas_.name(name_of(tree_[id].tag)));
 }
 

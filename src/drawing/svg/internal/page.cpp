@@ -80,9 +80,7 @@ class PageReader {
   }
 
   void warn(base::Code code, const std::string& detail, const std::string& hint = {}) {
-    base::Place place;
-    place.line = tree_[kRoot].line;
-    place.column = tree_[kRoot].column;
+    const base::Place place{base::kNoFile, tree_[kRoot].line, tree_[kRoot].column};
     canvas_.find(base::Severity::warning, code, place, detail, {}, canvas_.name("svg"), hint);
   }
 

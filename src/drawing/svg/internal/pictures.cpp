@@ -78,13 +78,16 @@ base::Outcome<std::string> of_data_uri(std::string_view uri) {
   return *bytes;
 }
 
+bool is_plain(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." &&
+         name.find_first_of(std::string_view("/\\:\0", 4)) == std::string::npos;
+}
+
 /// A file's name in a folder, without any way to it.
 std::optional<std::string> plain_name(std::string_view href) {
   if (href.starts_with("./")) href.remove_prefix(2);
   std::string name = without_percents(href);
-  const bool is_plain = !name.empty() && name != "." && name != ".." &&
-                        name.find_first_of(std::string_view("/\\:\0", 4)) == std::string::npos;
-  return is_plain ? std::optional(std::move(name)) : std::nullopt;
+  return is_plain(name) ? std::optional(std::move(name)) : std::nullopt;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/decimal.hpp"
+#include "drawing/small_letters.hpp"
 
 namespace kerf::drawing::svg {
 namespace {
@@ -68,10 +69,9 @@ Written written(std::string_view text) {
 }
 
 double slowly(std::string_view text) {
-  const auto value = base::read_number(text);
-  if (value) return *value;
-  return text[0] == '-' ? -std::numeric_limits<double>::infinity()
-                        : std::numeric_limits<double>::infinity();
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  if (const auto value = base::read_number(text)) return *value;
+  return text[0] == '-' ? -kEndless : kEndless;
 }
 
 }  // namespace
@@ -135,9 +135,9 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool same_letters(std::string_view a, std::string_view b) {
-  const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(),
-                                            [&](char x, char y) { return small(x) == small(y); });
+  return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) {
+           return small_letter(x) == small_letter(y);
+         });
 }
 
 std::optional<std::string_view> local_reference(std::string_view text) {

@@ -38,11 +38,11 @@ Trace trace_of(const Entry& entry) {
   return trace;
 }
 
+bool is_something(std::string_view field) { return base::read_number(field).value_or(0) != 0; }
+
 bool asks_for_something(std::string_view value) {
   const std::vector<std::string_view> fields = parted(value);
-  return std::any_of(fields.begin(), fields.end(), [](std::string_view field) {
-    return base::read_number(field).value_or(0) != 0;
-  });
+  return std::any_of(fields.begin(), fields.end(), is_something);
 }
 
 }  // namespace

@@ -124,10 +124,8 @@ class Cutting {
   }
 
   void put_first(const std::vector<std::uint32_t>& inner, const std::vector<std::uint32_t>& outer) {
-    for (const std::uint32_t pass : outer) {
-      std::vector<std::uint32_t>& before = made_.passes[pass].before;
-      before.insert(before.end(), inner.begin(), inner.end());
-    }
+    for (const std::uint32_t pass : outer)
+      for (const std::uint32_t earlier : inner) made_.passes[pass].before.push_back(earlier);
   }
 
   void put_inner_first() {

@@ -40,11 +40,12 @@ std::vector<Affine> copies_of(const Array& array) {
   return copies;
 }
 
+Vec2 place_on(const ScanLine& line, double along) { return line.origin + along * line.along; }
+
 Entry entry_of(const Scan& scan) {
-  const ScanLine& first = scan.lines.front();
   const ScanLine& last = scan.lines.back();
-  return {first.origin + (first.runs.front().from - scan.run_up) * first.along,
-          last.origin + (last.runs.back().to + scan.run_up) * last.along};
+  return {place_on(scan.lines.front(), scan.lines.front().runs.front().from - scan.run_up),
+          place_on(last, last.runs.back().to + scan.run_up)};
 }
 
 std::vector<Entry> entries_of(const Along& along, const AlongRules& rules) {
@@ -61,11 +62,14 @@ std::vector<Entry> entries_of(const Pass& pass, const AlongRules& rules) {
   return entries_of(std::get<Along>(pass.what), rules);
 }
 
+double start_of(const motion::AxisSetup& axes, char letter) {
+  const auto axis = axes.find(letter);
+  return axis ? axes.start[*axis] : 0;
+}
+
 Vec2 origin_of(const MachineFacts& machine) {
-  const auto x = machine.axes.find('X');
-  const auto y = machine.axes.find('Y');
-  if (!machine.axes.linked || !x || !y) return {};
-  return {machine.axes.start[*x], machine.axes.start[*y]};
+  const motion::AxisSetup& axes = machine.axes;
+  return axes.linked ? Vec2{start_of(axes, 'X'), start_of(axes, 'Y')} : Vec2{};
 }
 
 class Planner {

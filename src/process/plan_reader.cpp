@@ -303,8 +303,12 @@ void PlanReader::make_way(const Way& way) {
 
 void PlanReader::make_spot(const Spot& spot) {
   rapid_to(plan_.copies[cursor_.copy](spot.at));
+  burn(operation().settled.burn_s);
+}
+
+void PlanReader::burn(double seconds) {
   beam(1);
-  dwell(operation().settled.burn_s);
+  dwell(seconds);
   beam(0);
 }
 

@@ -63,6 +63,7 @@ class PlanReader {
   void leg_to(const Leg& leg);
   void beam(double share);
   void dwell(double seconds);
+  void burn(double seconds);
   void emit(const motion::Motion::Action& action);
   void begin_operation();
   [[nodiscard]] double z_of_round() const;

@@ -80,13 +80,16 @@ Box box_of(const Box& box, const Affine& map) {
   return result;
 }
 
+Vec2 anchor_in(const Box& extents, const Affine& map, Anchor anchor) {
+  return extents.is_empty() ? Vec2{} : anchor_of(anchor, box_of(extents, map));
+}
+
 }  // namespace
 
 Affine placement(const PlaceWords& place, const Box& extents) {
   Affine map = then(scaled(place, extents), mirrored(place.mirror));
   map = then(map, Affine::turned(place.rotate_deg * std::numbers::pi / 180));
-  const Vec2 anchor = extents.is_empty() ? Vec2{} : anchor_of(place.anchor, box_of(extents, map));
-  return then(map, Affine::moved(place.at - anchor));
+  return then(map, Affine::moved(place.at - anchor_in(extents, map, place.anchor)));
 }
 
 Box extents_of(const drawing::Cleaned& cleaned) {

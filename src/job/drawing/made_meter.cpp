@@ -40,11 +40,15 @@ double way_of(const motion::AxisSetup& axes, const base::TipPoint& from, const M
   return distance(axes, from, *motion::target_of(motion));
 }
 
-double feed_of(const Motion& motion) {
-  if (const auto* line = std::get_if<motion::Line>(&motion.action)) return line->feed.value;
-  if (const auto* arc = std::get_if<motion::Arc>(&motion.action)) return arc->feed.value;
-  if (const auto* arc = std::get_if<motion::SpaceArc>(&motion.action)) return arc->feed.value;
+/// 0: it has none.
+template <typename Action>
+double feed_of_action(const Action& action) {
+  if constexpr (requires { action.feed.value; }) return action.feed.value;
   return 0;
+}
+
+double feed_of(const Motion& motion) {
+  return std::visit([](const auto& action) { return feed_of_action(action); }, motion.action);
 }
 
 }  // namespace

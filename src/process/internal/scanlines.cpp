@@ -130,9 +130,8 @@ class Inside {
 
  private:
   [[nodiscard]] bool is_in(std::uint32_t group, int winding) const {
-    const auto rule = rules_.find(group);
-    const bool is_odd = winding % 2 != 0;
-    return rule->second == drawing::FillRule::non_zero ? winding != 0 : is_odd;
+    const bool counts_all = rules_.find(group)->second == drawing::FillRule::non_zero;
+    return counts_all ? winding != 0 : winding % 2 != 0;
   }
 
   const std::map<std::uint32_t, drawing::FillRule>& rules_;

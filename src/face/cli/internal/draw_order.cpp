@@ -90,10 +90,9 @@ Outcome<void> take_variables(const DrawOptions& options, job::DrawOrder& order) 
 }
 
 Outcome<void> take_tolerances(const DrawOptions& options, process::Recipe& recipe) {
-  if (auto taken = take_length(options.tolerance, "--tolerance", recipe.tolerance); !taken)
-    return taken;
-  if (auto taken = take_length(options.join, "--join", recipe.join); !taken) return taken;
-  return take_length(options.same, "--same", recipe.same);
+  auto taken = take_length(options.tolerance, "--tolerance", recipe.tolerance);
+  if (taken) taken = take_length(options.join, "--join", recipe.join);
+  return taken ? take_length(options.same, "--same", recipe.same) : taken;
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace kerf::process {
 
-/// A way from side to side across edges, `width` wide in all, a whole turn each `pitch` mm along them: a
-/// zigzag of lines, a sine or circles of short lines.
+/// A way from side to side across edges, `width` wide in all, a whole turn each `pitch` mm along
+/// them: a zigzag of lines, a sine or circles of short lines.
 [[nodiscard]] std::vector<contour::Edge> woven(std::span<const contour::Edge> course,
                                                const Weave& weave);
 

@@ -39,7 +39,8 @@ class DrawnPlan final : public control::MotionMaker {
   [[nodiscard]] const std::vector<std::string>& texts() const { return texts_; }
   /// Of the drawing, then of the plan.
   [[nodiscard]] std::vector<drawing::Finding> findings() const;
-  /// What is wrong in the job where it meets materials and machine; places are those of the job file.
+  /// What is wrong in the job where it meets materials and machine; places are those of the job
+  /// file.
   [[nodiscard]] const process::Diagnostics& job_findings() const { return job_findings_; }
   /// An error was found: nothing may be written.
   [[nodiscard]] bool is_wrong() const;

@@ -13,7 +13,7 @@ Machine::Machine(const MachineDefinition& definition, control::Memory memory,
       turning_statistics_(definition_.axes),
       spindle_beam_(definition_.drive.laser),
       dotted_cut_(definition_.drive.laser),
-      dialect_name_(settings.plan               ? kDrawingDialect
+      dialect_name_(settings.plan              ? kDrawingDialect
                     : settings.dialect.empty() ? definition.dialect
                                                : settings.dialect),
       servo_(definition_,

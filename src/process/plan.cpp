@@ -87,7 +87,7 @@ class Planner {
 
   Plan plan() {
     tell_layers();
-    if (!can_wrap()) return std::move(plan_);
+    if (!has_plane() || !can_wrap()) return std::move(plan_);
     const std::uint32_t variants =
         has_variants() ? static_cast<std::uint32_t>(plan_.copies.size()) : 1;
     for (copy_ = 0; copy_ < variants; ++copy_) {
@@ -113,6 +113,16 @@ class Planner {
     base::Diagnostic diagnostic = base::make_error(code, place, detail);
     diagnostic.severity = severity;
     plan_.findings.push_back({std::move(diagnostic), layer, entity});
+  }
+
+  /// X and Y of a plane, and no diameters.
+  bool has_plane() {
+    const motion::AxisSetup& axes = plan_.machine.axes;
+    if (axes.find('X') && axes.find('Y') && !axes.turns()) return true;
+    find(base::Severity::error, base::Code::process_machine, {},
+         fmt::format("a drawing needs the axes X and Y of a plane, {} has others",
+                     plan_.machine.name));
+    return false;
   }
 
   bool can_wrap() {
@@ -189,6 +199,7 @@ class Planner {
     planned.settled = settle(operation, plan_.machine);
     if (copy_ == 0) tell_assumed(operation, planned.settled);
     if (copy_ == 0) tell_ignored(operation);
+    if (copy_ == 0) tell_assumed_of_mill(operation);
     if (is_impossible(operation)) return;
     const Taken taken = taken_by(index);
     Passes passes = passes_of(operation, planned.settled, taken);
@@ -203,6 +214,15 @@ class Planner {
     planned.contours = taken.outlines.size() + taken.points.size();
     for (const Remark& remark : passes.remarks) tell(remark, operation);
     plan_.operations.push_back(std::move(planned));
+  }
+
+  void tell_assumed_of_mill(const Operation& operation) {
+    if (plan_.machine.has_beam || plan_.machine.makes_patterns) return;
+    if (!operation.depth)
+      plan_.assumed.push_back(fmt::format("operation '{}' says no depth: 0 mm", operation.name));
+    if (!operation.spindle)
+      plan_.assumed.push_back(
+          fmt::format("operation '{}' says no spindle: it is not switched on", operation.name));
   }
 
   static bool is_hatch(const Operation& operation) { return operation.process == Process::fill; }

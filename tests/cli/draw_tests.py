@@ -318,3 +318,16 @@ def assumed(box):
     words = ["draw", "a.dxf", "--output", "-", "--language", "gcode"]
     equal(box.kerf(*words).out, box.kerf(*words).out, "bytes")
     alarm(box.kerf("draw", "a.dxf", "--job-set", "place.at=[900, 0]"), "DRAW_OUTSIDE", None)
+
+
+@test("draw: a mill goes down along contours alone, and a machine without a plane makes nothing")
+def mills(box):
+    job = '[job]\nmachine = "mill3"\nend = "stay"\n' + operation("engrave", "depth = 2", "step_down = 1", "safe_z = 0", "spindle = 8000", "tool = 1")
+    report = drawn(box, dxf(line(10, 10, 30, 10)), job, "--output", "a.jsonl")
+    lows = sorted({record["to"]["Z"] for record in box.motions("a.jsonl") if record["kind"] == "line"})
+    equal((lows, report["assumed"]), ([-2, -1], []), "levels")
+    hatch = drawn(box, dxf(square(9)), job.replace("engrave", "fill"), wanted=1)
+    equal(codes(hatch), ["PROCESS_MACHINE"], "a hatch on a mill")
+    bare = drawn(box, dxf(square(9)), None, "--machine", "mill3")
+    equal(len(bare["assumed"]), 3, "feed, depth and spindle")
+    equal(codes(drawn(box, dxf(square(9)), None, "--machine", "lathe2", wanted=1)), ["PROCESS_MACHINE"], "on a lathe")

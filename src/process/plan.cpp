@@ -10,6 +10,7 @@
 #include "motion/feed.hpp"
 #include "process/along.hpp"
 #include "process/layers.hpp"
+#include "process/wrapped_surface.hpp"
 
 namespace kerf::process {
 namespace {
@@ -88,6 +89,7 @@ class Planner {
   Plan plan() {
     tell_layers();
     if (!has_plane() || !can_wrap()) return std::move(plan_);
+    tell_wrap();
     const std::uint32_t variants =
         has_variants() ? static_cast<std::uint32_t>(plan_.copies.size()) : 1;
     for (copy_ = 0; copy_ < variants; ++copy_) {
@@ -138,6 +140,25 @@ class Planner {
     for (const std::string& layer : layers_.missing(operation))
       find(base::Severity::warning, base::Code::draw_layer, {},
            fmt::format("'{}' of operation '{}'", layer, recipe_.operations[operation].name));
+  }
+
+  /// What a surface does to a drawing and does not show in the plane.
+  void tell_wrap() {
+    double stretch = 1;
+    contour::Box box;
+    const WrappedSurface surface(recipe_.wrap);
+    for (const Outline& outline : sheet_.outlines) {
+      box.take(extents(outline.path));
+      for (const contour::Vertex& vertex : outline.path.vertices)
+        stretch = std::max(stretch, surface.stretch(vertex.point));
+    }
+    if (stretch > 1.0005)
+      plan_.assumed.push_back(
+          fmt::format("[wrap] on a sphere stretches the drawing across by up to {:.3f}", stretch));
+    if (recipe_.wrap.shape != Wrap::Shape::cylinder || box.is_empty()) return;
+    const double way = recipe_.wrap.axis == 'X' ? box.high.v - box.low.v : box.high.u - box.low.u;
+    if (way > 2 * std::numbers::pi * recipe_.wrap.radius + 1e-6)
+      plan_.assumed.push_back("[wrap] the drawing goes more than once round the cylinder");
   }
 
   void tell_layers() {

@@ -149,6 +149,13 @@ def processes(box):
                  LASER + operation("heat", "track_width = 5", "overlap = 0.2"))["plan"]
     equal(heat["operations"][0]["lines"], 5, "tracks")
     near(heat["beam_mm"], 200, 1e-6, "way of the tracks")
+    strong = drawn(box, dxf(square(20)), LASER + operation("heat", "track_width = 5").replace("power = 50\nfeed = 3000", "power = 100\nfeed = 480"),
+                   "--machine-set", "drive.max_power_w=1000")["plan"]["operations"][0]
+    near(strong["j_mm2"], 25, 1e-9, "1000 W at 480 mm/min on 5 mm")
+    pulses = drawn(box, dxf(line(0, 0, 9, 0)), LASER + operation("engrave", "ton_ms = 0.4", "toff_ms = 0.1").replace("power = 50\n", ""))
+    near(pulses["plan"]["operations"][0]["power"], 80, 1e-9, "power of 0.4 ms on and 0.1 ms off")
+    tabs = drawn(box, dxf(square(20)), LASER + operation("cut", "kerf = 0.2", "overcut = 0", "tabs = {count = 4, width = 0.5}"))
+    near(tabs["plan"]["beam_mm"], 80 + 0.2 * math.pi - 2.8, 1e-6, "way beside tabs")
 
 
 @test("draw: a laser BASIC program, taught points and motions make the same way as G-code")
@@ -278,6 +285,11 @@ def wrapped(box):
             to = record["to"]
             near(math.hypot(to["Y"], to["Z"] + 20), 20, 1e-6, "distance from the axis")
             near(to["A"], -math.degrees(math.atan2(to["Y"], to["Z"] + 20)), 1e-6, "A")
+    twice = drawn(box, dxf(line(0, -70, 0, 70)), job, "--machine", "laser5")
+    contains(" ".join(twice["assumed"]), "more than once round", "assumed")
+    ball = job.replace('"cylinder"\naxis = "X"', '"sphere"')
+    stretched = drawn(box, dxf(line(0, 0, 20, 0)), ball, "--machine", "laser5")
+    contains(" ".join(stretched["assumed"]), f"{1 / math.sin(1):.3f}", "assumed of a sphere")
     on_mill = drawn(box, dxf(square(9)), job, "--machine", "laser3", wanted=1)
     equal(codes(on_mill)[0], "PROCESS_MACHINE", "findings")
 
